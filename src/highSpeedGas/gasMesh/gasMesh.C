@@ -1,0 +1,353 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "gasMesh.H"
+#include "emptyPolyPatch.H"
+#include "symmetryPolyPatch.H"
+#include "symmetryPlanePolyPatch.H"
+#include "processorPolyPatch.H"
+#include "cyclicPolyPatch.H"
+#include "UIPstream.H"
+#include "UOPstream.H"
+#include "surfaceFields.H"
+
+void Foam::gasMesh::setDirections()
+{
+    const Vector<label>& solved = mesh_.solutionD();
+
+    nDim_ = 0;
+    for (int d = 0; d < 3; d++)
+    {
+        if (solved[d] == 1)
+        {
+            direction_[nDim_++] = d;
+        }
+    }
+
+    // A line of cells is treated as a plane with nothing happening across
+    for (int d = 0; d < 3 && nDim_ < 2; d++)
+    {
+        if (solved[d] != 1)
+        {
+            direction_[nDim_++] = d;
+        }
+    }
+}
+
+
+void Foam::gasMesh::setFaces()
+{
+    const polyBoundaryMesh& boundary = mesh_.boundaryMesh();
+
+    nCells_ = mesh_.nCells();
+    nInternal_ = mesh_.nInternalFaces();
+    nFaces_ = nInternal_;
+
+    forAll(boundary, patchi)
+    {
+        const polyPatch& pp = boundary[patchi];
+
+        if (isA<emptyPolyPatch>(pp))
+        {
+            continue;
+        }
+        if (pp.coupled() && !isA<processorPolyPatch>(pp)
+         && !isA<cyclicPolyPatch>(pp))
+        {
+            FatalErrorInFunction
+                << "Patch " << pp.name() << " of type " << pp.type()
+                << " couples cells in a way the gas solution does not know."
+                << nl << "Valid coupled types: processor, cyclic"
+                << exit(FatalError);
+        }
+
+        patches_.push_back
+        (
+            patchRange
+            {
+                patchi,
+                nFaces_,
+                pp.size(),
+                pp.coupled(),
+                isA<symmetryPolyPatch>(pp) || isA<symmetryPlanePolyPatch>(pp)
+            }
+        );
+        nFaces_ += pp.size();
+    }
+
+    owner.resize(nFaces_);
+    far.resize(nFaces_);
+    normal.assign(nFaces_*nDim_, 0);
+    area.resize(nFaces_);
+    delta.assign(nFaces_*nDim_, 0);
+    toFace.assign(nFaces_*nDim_, 0);
+    weight.resize(nFaces_);
+    normalDistance.resize(nFaces_);
+
+    const pointField& C = mesh_.cellCentres();
+
+    auto setFace = [&]
+    (
+        const label f,
+        const label own,
+        const label farCell,
+        const vector& Sf,
+        const vector& toFaceCentre,
+        const vector& toFar
+    )
+    {
+        owner[f] = own;
+        far[f] = farCell;
+        area[f] = mag(Sf);
+        const vector n = Sf/area[f];
+        for (int d = 0; d < nDim_; d++)
+        {
+            normal[f*nDim_ + d] = n[direction_[d]];
+            delta[f*nDim_ + d] = toFar[direction_[d]];
+            toFace[f*nDim_ + d] = toFaceCentre[direction_[d]];
+        }
+        normalDistance[f] = max(mag(n & toFar), 0.05*mag(toFar));
+        weight[f] =
+            min(max((n & toFaceCentre)/stabilise(n & toFar, VSMALL), 0.0), 1.0);
+    };
+
+    for (label f = 0; f < nInternal_; f++)
+    {
+        const label own = mesh_.faceOwner()[f];
+        const label nei = mesh_.faceNeighbour()[f];
+        setFace
+        (
+            f,
+            own,
+            nei,
+            mesh_.faceAreas()[f],
+            mesh_.faceCentres()[f] - C[own],
+            C[nei] - C[own]
+        );
+    }
+
+    for (const patchRange& patch : patches_)
+    {
+        const fvPatch& fvp = mesh_.boundary()[patch.patchi];
+        const vectorField delta(fvp.delta());
+        const labelUList& cells = fvp.faceCells();
+
+        for (label i = 0; i < patch.size; i++)
+        {
+            const label f = patch.start + i;
+            const vector toFaceCentre(fvp.Cf()[i] - C[cells[i]]);
+            const vector n(fvp.Sf()[i]/fvp.magSf()[i]);
+
+            setFace
+            (
+                f,
+                cells[i],
+                nCells_ + f - nInternal_,
+                fvp.Sf()[i],
+                toFaceCentre,
+                patch.coupled ? delta[i]
+              : patch.symmetry ? 2*(n & toFaceCentre)*n
+              : toFaceCentre
+            );
+            if (!patch.coupled)
+            {
+                weight[f] = patch.symmetry ? 0.5 : 1;
+            }
+        }
+    }
+
+    volume.resize(nCells_);
+    for (label c = 0; c < nCells_; c++)
+    {
+        volume[c] = mesh_.cellVolumes()[c];
+    }
+
+    cellStart.assign(nCells_ + 1, 0);
+    for (label f = 0; f < nFaces_; f++)
+    {
+        cellStart[owner[f] + 1]++;
+        if (f < nInternal_)
+        {
+            cellStart[far[f] + 1]++;
+        }
+    }
+    for (label c = 0; c < nCells_; c++)
+    {
+        cellStart[c + 1] += cellStart[c];
+    }
+    faceOf.resize(cellStart[nCells_]);
+    std::vector<int> fill(cellStart.begin(), cellStart.end() - 1);
+    for (label f = 0; f < nFaces_; f++)
+    {
+        faceOf[fill[owner[f]]++] = f;
+        if (f < nInternal_)
+        {
+            faceOf[fill[far[f]]++] = f;
+        }
+    }
+}
+
+
+void Foam::gasMesh::setLeastSquares(const boolList& excluded)
+{
+    std::vector<bool> takesPart(nFaces_, true);
+    for (const patchRange& patch : patches_)
+    {
+        for (label i = 0; i < patch.size; i++)
+        {
+            takesPart[patch.start + i] = !excluded[patch.patchi];
+        }
+    }
+
+    std::vector<symmTensor> moment(nCells_, symmTensor::zero);
+
+    auto deltaOf = [&](const label f)
+    {
+        vector d(Zero);
+        for (int k = 0; k < nDim_; k++)
+        {
+            d[k] = delta[f*nDim_ + k];
+        }
+        return d;
+    };
+
+    for (label f = 0; f < nFaces_; f++)
+    {
+        if (takesPart[f])
+        {
+            const vector d(deltaOf(f));
+            const symmTensor dd(sqr(d)/magSqr(d));
+            moment[owner[f]] += dd;
+            if (f < nInternal_)
+            {
+                moment[far[f]] += dd;
+            }
+        }
+    }
+
+    // Directions in which a cell has no neighbours get no gradient: the
+    // moment of a unit stencil there keeps the matrix regular without adding
+    // to the gradient
+    for (label c = 0; c < nCells_; c++)
+    {
+        symmTensor& m = moment[c];
+        if (nDim_ == 2)
+        {
+            m.zz() += 1;
+        }
+        vector d(m.xx(), m.yy(), m.zz());
+        const scalar small = 1e-8*cmptMax(d);
+        if (m.xx() < small) m.xx() = 1;
+        if (m.yy() < small) m.yy() = 1;
+        if (m.zz() < small) m.zz() = 1;
+        if (det(m) < 1e-10*m.xx()*m.yy()*m.zz())
+        {
+            // All neighbours on one line that is not a coordinate axis
+            m += 1e-6*cmptMax(d)*symmTensor::I;
+        }
+    }
+
+    lsqOwner.assign(nFaces_*nDim_, 0);
+    lsqFar.assign(nFaces_*nDim_, 0);
+
+    std::vector<symmTensor> inverse(nCells_);
+    for (label c = 0; c < nCells_; c++)
+    {
+        inverse[c] = inv(moment[c]);
+    }
+
+    for (label f = 0; f < nFaces_; f++)
+    {
+        if (takesPart[f])
+        {
+            const vector d(deltaOf(f));
+            const vector lo((inverse[owner[f]] & d)/magSqr(d));
+            const vector lf
+            (
+                f < nInternal_
+              ? (inverse[far[f]] & d)/magSqr(d)
+              : vector(Zero)
+            );
+            for (int k = 0; k < nDim_; k++)
+            {
+                lsqOwner[f*nDim_ + k] = lo[k];
+                lsqFar[f*nDim_ + k] = lf[k];
+            }
+        }
+    }
+}
+
+
+Foam::gasMesh::gasMesh(const fvMesh& mesh)
+:
+    mesh_(mesh)
+{
+    setDirections();
+    setFaces();
+
+    sendBuffer_.setSize(mesh.boundaryMesh().size());
+}
+
+
+void Foam::gasMesh::exchange(double* values, const int n) const
+{
+    const polyBoundaryMesh& boundary = mesh_.boundaryMesh();
+    const label startOfRequests = Pstream::nRequests();
+
+    for (const patchRange& patch : patches_)
+    {
+        if (!patch.coupled)
+        {
+            continue;
+        }
+        const polyPatch& pp = boundary[patch.patchi];
+        double* ghost = values + n*(nCells_ + patch.start - nInternal_);
+
+        if (isA<cyclicPolyPatch>(pp))
+        {
+            const labelUList& behind =
+                refCast<const cyclicPolyPatch>(pp).neighbPatch().faceCells();
+            forAll(behind, i)
+            {
+                const double* from = values + n*behind[i];
+                std::copy(from, from + n, ghost + n*i);
+            }
+            continue;
+        }
+
+        const processorPolyPatch& ppp = refCast<const processorPolyPatch>(pp);
+        const labelUList& cells = pp.faceCells();
+        List<double>& send = sendBuffer_[patch.patchi];
+        send.setSize(n*patch.size);
+        forAll(cells, i)
+        {
+            const double* from = values + n*cells[i];
+            std::copy(from, from + n, send.begin() + n*i);
+        }
+
+        UIPstream::read
+        (
+            Pstream::commsTypes::nonBlocking,
+            ppp.neighbProcNo(),
+            reinterpret_cast<char*>(ghost),
+            n*patch.size*sizeof(double),
+            ppp.tag(),
+            ppp.comm()
+        );
+        UOPstream::write
+        (
+            Pstream::commsTypes::nonBlocking,
+            ppp.neighbProcNo(),
+            reinterpret_cast<const char*>(send.begin()),
+            n*patch.size*sizeof(double),
+            ppp.tag(),
+            ppp.comm()
+        );
+    }
+
+    if (Pstream::parRun())
+    {
+        Pstream::waitRequests(startOfRequests);
+    }
+}

@@ -1,0 +1,217 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "vectorKernel.H"
+#include "limiters.H"
+#include "HashTable.H"
+
+namespace Foam
+{
+namespace
+{
+
+VECTOR_INLINE double least(const double x, const double y)
+{
+    return x < y ? x : y;
+}
+
+VECTOR_INLINE double most(const double x, const double y)
+{
+    return x > y ? x : y;
+}
+
+VECTOR_INLINE double size(const double x)
+{
+    return x < 0 ? -x : x;
+}
+
+//- Keeps quotients of squares of differences finite where all of them vanish
+constexpr double tiny = 1e-200;
+
+// Each limiter sees a and b of equal sign, as magnitudes, and is zero where
+// the signs differ
+
+struct upwind
+{
+    static VECTOR_INLINE double psi(double, double)
+    {
+        return 0;
+    }
+};
+
+struct Minmod
+{
+    static VECTOR_INLINE double psi(const double a, const double b)
+    {
+        return least(a, b);
+    }
+};
+
+struct vanLeer
+{
+    static VECTOR_INLINE double psi(const double a, const double b)
+    {
+        return 2*a*b/(a + b + tiny);
+    }
+};
+
+struct vanAlbada
+{
+    static VECTOR_INLINE double psi(const double a, const double b)
+    {
+        return a*b*(a + b)/(a*a + b*b + tiny);
+    }
+};
+
+struct OSPRE
+{
+    static VECTOR_INLINE double psi(const double a, const double b)
+    {
+        return 1.5*a*b*(a + b)/(a*a + a*b + b*b + tiny);
+    }
+};
+
+struct MUSCL
+{
+    static VECTOR_INLINE double psi(const double a, const double b)
+    {
+        return least(least(2*b, 0.5*(a + b)), 2*a);
+    }
+};
+
+struct UMIST
+{
+    static VECTOR_INLINE double psi(const double a, const double b)
+    {
+        return least
+        (
+            least(2*b, 0.25*a + 0.75*b),
+            least(0.75*a + 0.25*b, 2*a)
+        );
+    }
+};
+
+struct SuperBee
+{
+    static VECTOR_INLINE double psi(const double a, const double b)
+    {
+        return most(least(2*b, a), least(b, 2*a));
+    }
+};
+
+struct limitedLinear
+{
+    static VECTOR_INLINE double psi(const double a, const double b)
+    {
+        return least(2*b, a);
+    }
+};
+
+struct limitedCubic
+{
+    static VECTOR_INLINE double psi(const double a, const double b)
+    {
+        return least(least(2*b, (2*a + b)*(1.0/3)), 2*a);
+    }
+};
+
+
+template<class Limiter>
+VECTOR_INLINE double limited(const double a, const double b)
+{
+    const double magnitude = Limiter::psi(size(a), size(b));
+    return a*b > 0 ? (a < 0 ? -magnitude : magnitude) : 0;
+}
+
+
+template<class Limiter>
+VECTOR_INLINE void reconstruct(faceBlock& block, const int n, const int nVar)
+{
+    for (int k = 0; k < nVar; k++)
+    {
+        for (int i = 0; i < n; i++)
+        {
+            const double a = block.far[k][i] - block.owner[k][i];
+            const double w = block.weight[i];
+            block.L[k][i] =
+                block.owner[k][i]
+              + w*limited<Limiter>(a, block.slopeOwner[k][i] - a);
+            block.R[k][i] =
+                block.far[k][i]
+              - (1 - w)*limited<Limiter>(a, block.slopeFar[k][i] - a);
+        }
+    }
+
+    // Pressure and temperature of a face that would lose their sign take the
+    // value of the cell
+    for (int k = 0; k < 2; k++)
+    {
+        for (int i = 0; i < n; i++)
+        {
+            block.L[k][i] =
+                block.L[k][i] > 0 ? block.L[k][i] : block.owner[k][i];
+            block.R[k][i] =
+                block.R[k][i] > 0 ? block.R[k][i] : block.far[k][i];
+        }
+    }
+}
+
+} // End anonymous namespace
+
+#define makeReconstruction(Limiter)                                            \
+    VECTOR_KERNEL                                                              \
+    void reconstruct##Limiter(faceBlock& block, const int n, const int nVar)   \
+    {                                                                          \
+        reconstruct<Limiter>(block, n, nVar);                                  \
+    }
+
+makeReconstruction(upwind)
+makeReconstruction(Minmod)
+makeReconstruction(vanLeer)
+makeReconstruction(vanAlbada)
+makeReconstruction(OSPRE)
+makeReconstruction(MUSCL)
+makeReconstruction(UMIST)
+makeReconstruction(SuperBee)
+makeReconstruction(limitedLinear)
+makeReconstruction(limitedCubic)
+
+#undef makeReconstruction
+
+namespace
+{
+
+const HashTable<reconstructionKernel>& table()
+{
+    static const HashTable<reconstructionKernel> kernels
+    {
+        {"upwind", reconstructupwind},
+        {"Minmod", reconstructMinmod},
+        {"vanLeer", reconstructvanLeer},
+        {"vanAlbada", reconstructvanAlbada},
+        {"OSPRE", reconstructOSPRE},
+        {"MUSCL", reconstructMUSCL},
+        {"UMIST", reconstructUMIST},
+        {"SuperBee", reconstructSuperBee},
+        {"limitedLinear", reconstructlimitedLinear},
+        {"limitedCubic", reconstructlimitedCubic}
+    };
+    return kernels;
+}
+
+} // End anonymous namespace
+} // End namespace Foam
+
+
+Foam::reconstructionKernel Foam::selectReconstruction(const word& limiter)
+{
+    const auto found = table().cfind(limiter);
+    return found.found() ? *found : nullptr;
+}
+
+
+Foam::wordList Foam::reconstructionNames()
+{
+    return table().sortedToc();
+}
