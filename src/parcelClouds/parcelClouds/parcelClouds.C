@@ -1,0 +1,204 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "parcelClouds.H"
+#include "HashSet.H"
+#include "IOdictionary.H"
+#include "Time.H"
+#include "uniformDimensionedFields.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::wordList Foam::parcelClouds::readNames(const fvMesh& mesh)
+{
+    IOobject io
+    (
+        "parcelClouds",
+        mesh.time().constant(),
+        mesh,
+        IOobject::MUST_READ,
+        IOobject::NO_WRITE,
+        false
+    );
+    if (!io.typeHeaderOk<IOdictionary>(true))
+    {
+        return wordList();
+    }
+
+    const IOdictionary dict(io);
+    const wordList names(dict.get<wordList>("clouds"));
+    wordHashSet seen;
+    for (const word& name : names)
+    {
+        if (!seen.insert(name))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry 'clouds', value " << name << ", appears twice; the"
+                << " valid range is a list of different names"
+                << exit(FatalIOError);
+        }
+    }
+    return names;
+}
+
+
+Foam::dimensionedVector Foam::parcelClouds::readG(const fvMesh& mesh)
+{
+    IOobject io
+    (
+        "g",
+        mesh.time().constant(),
+        mesh,
+        IOobject::MUST_READ,
+        IOobject::NO_WRITE,
+        false
+    );
+    if (io.typeHeaderOk<uniformDimensionedVectorField>(true))
+    {
+        return uniformDimensionedVectorField(io);
+    }
+    return dimensionedVector("g", dimAcceleration, Zero);
+}
+
+
+const Foam::volScalarField& Foam::parcelClouds::mu()
+{
+    const tmp<volScalarField> tmu(thermo_.mu());
+    if (!tmu.isTmp())
+    {
+        // Refers to the field that the thermophysical model keeps up to date
+        return tmu();
+    }
+
+    mu_.reset
+    (
+        new volScalarField
+        (
+            IOobject
+            (
+                "thermo:mu",
+                rho_.time().timeName(),
+                rho_.mesh(),
+                IOobject::NO_READ,
+                IOobject::NO_WRITE
+            ),
+            tmu()
+        )
+    );
+    return mu_();
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::parcelClouds::parcelClouds
+(
+    const fvMesh& mesh,
+    const volScalarField& rho,
+    const volVectorField& U,
+    const fluidThermo& thermo
+)
+:
+    rho_(rho),
+    U_(U),
+    thermo_(thermo),
+    mu_(nullptr),
+    clouds_()
+{
+    const wordList names(readNames(mesh));
+    if (names.empty())
+    {
+        return;
+    }
+
+    const volScalarField& viscosity = mu();
+    const dimensionedVector g(readG(mesh));
+    clouds_.resize(names.size());
+    forAll(names, i)
+    {
+        clouds_.set
+        (
+            i,
+            parcelCloudModel::New(names[i], rho, U, viscosity, g)
+        );
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::parcelClouds::evolve(const bool gasChanged)
+{
+    if (empty())
+    {
+        return;
+    }
+
+    if (gasChanged)
+    {
+        if (mu_.valid())
+        {
+            mu_() = thermo_.mu();
+        }
+
+        // A solver that writes through raw arrays leaves no trace that the
+        // cached point values would notice
+        const_cast<volScalarField&>(rho_).setUpToDate();
+        const_cast<volVectorField&>(U_).setUpToDate();
+        const_cast<volScalarField&>(thermo_.T()).setUpToDate();
+        const tmp<volScalarField> tmu(thermo_.mu());
+        if (!tmu.isTmp())
+        {
+            const_cast<volScalarField&>(tmu()).setUpToDate();
+        }
+    }
+
+    forAll(clouds_, i)
+    {
+        clouds_[i].evolve();
+    }
+}
+
+
+void Foam::parcelClouds::info() const
+{
+    forAll(clouds_, i)
+    {
+        const parcelCloudModel& cloud = clouds_[i];
+        const scalar steps =
+            returnReduce(cloud.nParcelSteps(), sumOp<scalar>());
+        const scalar cpu = returnReduce(cloud.cpuTime(), sumOp<scalar>());
+
+        Info<< "Cloud " << cloud.name() << ": "
+            << returnReduce(cloud.nParcels(), sumOp<label>()) << " parcels, "
+            << steps << " parcel-steps in " << cpu << " CPU s";
+        if (cpu > 0)
+        {
+            Info<< " (" << steps/cpu << " 1/s)";
+        }
+        Info<< endl;
+    }
+}
+
+
+Foam::scalar Foam::parcelClouds::cpuTime() const
+{
+    scalar sum = 0;
+    forAll(clouds_, i)
+    {
+        sum += clouds_[i].cpuTime();
+    }
+    return returnReduce(sum, sumOp<scalar>());
+}
+
+
+Foam::scalar Foam::parcelClouds::nParcelSteps() const
+{
+    scalar sum = 0;
+    forAll(clouds_, i)
+    {
+        sum += clouds_[i].nParcelSteps();
+    }
+    return returnReduce(sum, sumOp<scalar>());
+}

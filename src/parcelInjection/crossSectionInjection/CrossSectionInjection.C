@@ -1,0 +1,440 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "CrossSectionInjection.H"
+#include "ListOps.H"
+#include "wordRes.H"
+
+#include <cmath>
+#include <stdexcept>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class CloudType>
+impact::undisturbedStream Foam::CrossSectionInjection<CloudType>::makeStream
+(
+    const dictionary& dict
+) const
+{
+    const dictionary& coeffs = this->coeffDict();
+
+    List<Tuple2<scalar, scalar>> sizes;
+    if (coeffs.found("sizes") && coeffs.found("diameter"))
+    {
+        FatalIOErrorInFunction(coeffs)
+            << this->modelName() << ": give either 'diameter' or 'sizes'"
+            << exit(FatalIOError);
+    }
+    if (coeffs.found("sizes"))
+    {
+        coeffs.readEntry("sizes", sizes);
+    }
+    else
+    {
+        sizes.append
+        (
+            Tuple2<scalar, scalar>
+            (
+                coeffs.template get<scalar>("diameter"),
+                1
+            )
+        );
+    }
+
+    const scalar dz = this->thickness();
+    const bool given = dict.found("nParticle");
+    const scalar nParticle = given ? this->positive("nParticle") : 1;
+
+    std::vector<impact::undisturbedStream::sizeClass> classes;
+    for (const Tuple2<scalar, scalar>& size : sizes)
+    {
+        const scalar d = size.first();
+        classes.push_back
+        (
+            {d, size.second(), given || dz < 0 || d <= 0 ? nParticle : dz/d}
+        );
+    }
+
+    const label seed =
+        coeffs.template lookupOrDefault<label>("seed", 0);
+    if (seed < 0)
+    {
+        this->refuse("seed", seed, "[0, infinity)");
+    }
+
+    try
+    {
+        return impact::undisturbedStream
+        (
+            coeffs.template get<scalar>("volumeFraction"),
+            classes,
+            seed
+        );
+    }
+    catch (const std::invalid_argument& error)
+    {
+        FatalIOErrorInFunction(coeffs)
+            << this->modelName() << ": " << error.what()
+            << exit(FatalIOError);
+        throw;
+    }
+}
+
+
+template<class CloudType>
+void Foam::CrossSectionInjection<CloudType>::setEntry()
+{
+    const polyMesh& mesh = this->owner().mesh();
+    const polyBoundaryMesh& boundary = mesh.boundaryMesh();
+    const wordRes names
+    (
+        this->coeffDict().template get<wordRes>("patches")
+    );
+
+    for (const wordRe& name : names)
+    {
+        if (boundary.findIndices(keyType(name)).empty())
+        {
+            this->refuse("patches", name, "of patches ", boundary.names());
+        }
+    }
+    labelHashSet patchIDs(boundary.patchSet(names));
+
+    // A triangle fan over each face; positions of the triangles in an order
+    // given by the geometry, so that it is that of the undecomposed mesh
+    DynamicList<point> myCorners;
+    for (const label patchi : patchIDs.sortedToc())
+    {
+        const polyPatch& patch = boundary[patchi];
+        forAll(patch, facei)
+        {
+            const face& f = patch[facei];
+            for (label i = 1; i < f.size() - 1; ++i)
+            {
+                myCorners.append(mesh.points()[f[0]]);
+                myCorners.append(mesh.points()[f[i]]);
+                myCorners.append(mesh.points()[f[i + 1]]);
+            }
+        }
+    }
+
+    List<pointField> allCorners(Pstream::nProcs());
+    allCorners[Pstream::myProcNo()] = myCorners;
+    Pstream::gatherList(allCorners);
+    Pstream::scatterList(allCorners);
+    const pointField unsorted
+    (
+        ListListOps::combine<pointField>
+        (
+            allCorners,
+            accessOp<pointField>()
+        )
+    );
+
+    const auto before =
+        [](const point& a, const point& b)
+        {
+            return
+                a.x() != b.x() ? a.x() < b.x()
+              : a.y() != b.y() ? a.y() < b.y()
+              : a.z() < b.z();
+        };
+    labelList order(identity(unsorted.size()/3));
+    std::sort
+    (
+        order.begin(),
+        order.end(),
+        [&](const label a, const label b)
+        {
+            for (label i = 0; i < 3; ++i)
+            {
+                const point& pa = unsorted[3*a + i];
+                const point& pb = unsorted[3*b + i];
+                if (before(pa, pb) || before(pb, pa))
+                {
+                    return before(pa, pb);
+                }
+            }
+            return false;
+        }
+    );
+
+    DynamicList<point> corners;
+    DynamicList<scalar> cumulative;
+    scalar flux = 0;
+    for (const label i : order)
+    {
+        const point& a = unsorted[3*i];
+        const point& b = unsorted[3*i + 1];
+        const point& c = unsorted[3*i + 2];
+        const scalar inward = -0.5*(((b - a)^(c - a)) & this->U0());
+        if (inward > 0)
+        {
+            flux += inward;
+            corners.append(a);
+            corners.append(b);
+            corners.append(c);
+            cumulative.append(flux);
+        }
+    }
+    corners_ = corners;
+    cumulativeFlux_ = cumulative;
+
+    if (flux <= 0)
+    {
+        this->refuse
+        (
+            "U0",
+            this->U0(),
+            "of velocities that point into the mesh through ",
+            names
+        );
+    }
+
+    rate_ = stream_.parcelDensity()*flux;
+}
+
+
+template<class CloudType>
+bool Foam::CrossSectionInjection<CloudType>::behindFront
+(
+    const point& p,
+    const scalar t
+) const
+{
+    return
+        !plane_
+     || ((p - front_) & this->U0()) <= magSqr(this->U0())*(t - this->SOI_);
+}
+
+
+template<class CloudType>
+typename Foam::CrossSectionInjection<CloudType>::newParcel
+Foam::CrossSectionInjection<CloudType>::parcel
+(
+    const point& p,
+    const int64_t k
+) const
+{
+    const auto& size = stream_.sizes()[stream_.sizeOf(k)];
+    return newParcel{p, size.d, size.weight, k, -1};
+}
+
+
+template<class CloudType>
+Foam::scalar Foam::CrossSectionInjection<CloudType>::meshLength() const
+{
+    return this->owner().mesh().bounds().mag();
+}
+
+
+// * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * * //
+
+template<class CloudType>
+void Foam::CrossSectionInjection<CloudType>::select
+(
+    const scalar t0,
+    DynamicList<newParcel>& parcels
+)
+{
+    const scalar rounding = 1e-6*this->owner().db().time().deltaTValue();
+    if (t0 < this->SOI_ - rounding)
+    {
+        return;
+    }
+    const uint32_t sequence = 2*this->modelIndex();
+
+    if (!filled_)
+    {
+        filled_ = true;
+        const vector span(box_.span());
+        const vector drift(this->U0()*max(t0 - this->SOI_, scalar(0)));
+        for (int64_t k = 0; k < nBox_; ++k)
+        {
+            const auto random = stream_.drawOf(k, sequence);
+            const point p
+            (
+                box_.min()
+              + vector
+                (
+                    random.a*span.x(),
+                    random.b*span.y(),
+                    random.c*span.z()
+                )
+            );
+            if (behindFront(p, this->SOI_))
+            {
+                parcels.append(parcel(p + drift, k));
+            }
+        }
+    }
+
+    // Parcels that entered so long ago that they have left again
+    const scalar oldest =
+        (t0 - this->SOI_ - meshLength()/mag(this->U0()))*rate_;
+    if (oldest > next_)
+    {
+        next_ = oldest;
+    }
+
+    for (;; ++next_)
+    {
+        const int64_t k = nBox_ + next_;
+        const auto random = stream_.drawOf(k, sequence + 1);
+        const scalar since = (next_ + random.entry)/rate_;
+        const scalar t = this->SOI_ + since;
+        if (t > t0 || since > duration_)
+        {
+            break;
+        }
+
+        const scalar flux = random.a*cumulativeFlux_.last();
+        const label triangle = min
+        (
+            label
+            (
+                std::upper_bound
+                (
+                    cumulativeFlux_.begin(),
+                    cumulativeFlux_.end(),
+                    flux
+                )
+              - cumulativeFlux_.begin()
+            ),
+            cumulativeFlux_.size() - 1
+        );
+        const point& a = corners_[3*triangle];
+        const scalar root = Foam::sqrt(random.b);
+        const point p
+        (
+            a
+          + root*(1 - random.c)*(corners_[3*triangle + 1] - a)
+          + root*random.c*(corners_[3*triangle + 2] - a)
+        );
+        if (behindFront(p, t))
+        {
+            parcels.append(parcel(p + (t0 - t)*this->U0(), k));
+        }
+    }
+}
+
+
+template<class CloudType>
+void Foam::CrossSectionInjection<CloudType>::store()
+{
+    // The last one placed has passed the check against the largest label
+    this->template setModelProperty<label>("next", next_);
+    this->template setModelProperty<label>("filled", filled_);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+template<class CloudType>
+Foam::CrossSectionInjection<CloudType>::CrossSectionInjection
+(
+    const dictionary& dict,
+    CloudType& owner,
+    const word& modelName
+)
+:
+    IdentifiedInjection<CloudType>(dict, owner, modelName, typeName),
+    stream_(makeStream(dict)),
+    duration_(this->positive("duration", VGREAT)),
+    plane_(this->coeffDict().found("front")),
+    front_
+    (
+        this->coeffDict().template lookupOrDefault<point>("front", Zero)
+    ),
+    prefill_(this->coeffDict().found("prefill")),
+    box_(),
+    nBox_(0),
+    rate_(0),
+    next_(this->template getModelProperty<label>("next")),
+    filled_(this->template getModelProperty<label>("filled"))
+{
+    if (magSqr(this->U0()) <= 0)
+    {
+        this->refuse("U0", "(0 0 0)", "of non-zero vectors");
+    }
+
+    setEntry();
+
+    if (prefill_)
+    {
+        ITstream& is = this->coeffDict().subDict("prefill").lookup("box");
+        is >> box_.min() >> box_.max();
+        if (cmptMin(box_.span()) <= 0)
+        {
+            this->refuse
+            (
+                "prefill/box",
+                box_,
+                "of boxes (min) (max) with min < max"
+            );
+        }
+
+        const boundBox& bounds = owner.mesh().bounds();
+        box_.min() = max(box_.min(), bounds.min());
+        box_.max() = min(box_.max(), bounds.max());
+        nBox_ =
+            cmptMin(box_.span()) > 0
+          ? std::llround(box_.volume()*stream_.parcelDensity())
+          : 0;
+    }
+
+    Info<< "    " << modelName << ": " << rate_ << " parcels/s enter";
+    if (nBox_)
+    {
+        Info<< ", the box holds " << nBox_;
+    }
+    for (unsigned j = 0; j < stream_.sizes().size(); ++j)
+    {
+        Info<< nl << "    diameter " << stream_.sizes()[j].d << " m, "
+            << stream_.numberDensity(j) << " 1/m^3, "
+            << stream_.sizes()[j].weight << " per parcel";
+    }
+    Info<< endl;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+template<class CloudType>
+Foam::label Foam::CrossSectionInjection<CloudType>::parcelsToInject
+(
+    const scalar time0,
+    const scalar time1
+)
+{
+    const scalar end = min(time1, duration_);
+    return std::floor(max(rate_*(end - max(time0, scalar(0))), scalar(0)));
+}
+
+
+template<class CloudType>
+Foam::scalar Foam::CrossSectionInjection<CloudType>::volumeToInject
+(
+    const scalar time0,
+    const scalar time1
+)
+{
+    return
+        parcelsToInject(time0, time1)*averageParcelMass()
+       /this->owner().constProps().rho0();
+}
+
+
+template<class CloudType>
+Foam::scalar Foam::CrossSectionInjection<CloudType>::averageParcelMass()
+{
+    scalar volume = 0;
+    for (unsigned j = 0; j < stream_.sizes().size(); ++j)
+    {
+        volume +=
+            stream_.numberDensity(j)/stream_.parcelDensity()
+           *CloudType::parcelType::volume(stream_.sizes()[j].d);
+    }
+    return volume*this->owner().constProps().rho0();
+}

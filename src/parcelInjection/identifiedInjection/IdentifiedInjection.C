@@ -1,0 +1,330 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "IdentifiedInjection.H"
+#include "meshTools.H"
+#include "treeDataCell.H"
+#include "indexedOctree.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class CloudType>
+Foam::dictionary Foam::IdentifiedInjection<CloudType>::complete
+(
+    const dictionary& dict
+)
+{
+    // Mass and number are set by the models themselves; the base class must
+    // not withhold a parcel that stands for less than one particle
+    dictionary result(dict);
+    result.set("massTotal", scalar(0));
+    result.set("parcelBasisType", word("fixed"));
+    result.set("minParticlesPerParcel", scalar(0));
+    result.set("SOI", result.lookupOrDefault<scalar>("startTime", 0));
+    result.add("nParticle", scalar(1));
+    return result;
+}
+
+
+template<class CloudType>
+void Foam::IdentifiedInjection<CloudType>::locate
+(
+    DynamicList<newParcel>& parcels
+) const
+{
+    const polyMesh& mesh = this->owner().mesh();
+    const boundBox localBounds(mesh.points(), false);
+
+    // A point on a face between two ranks is claimed by both or by none.
+    // Both: the higher rank takes it. None: it is moved a rounding error
+    // towards the nearest cell centre and asked again.
+    for (label attempt = 0; attempt < 2; ++attempt)
+    {
+        labelList owner(parcels.size(), -1);
+        forAll(parcels, i)
+        {
+            newParcel& parcel = parcels[i];
+            if (attempt == 1 && parcel.cell != -2)
+            {
+                owner[i] = parcel.cell >= 0 ? Pstream::myProcNo() : -1;
+                continue;
+            }
+
+            point p = parcel.position;
+            parcel.cell = -1;
+            if (attempt == 1 && mesh.nCells())
+            {
+                const label nearest = mesh.findNearestCell(p);
+                p += 1e-9*(mesh.cellCentres()[nearest] - p);
+            }
+            if (mesh.nCells() && localBounds.contains(p))
+            {
+                parcel.cell = mesh.findCell(p);
+                if (parcel.cell >= 0)
+                {
+                    parcel.position = p;
+                    owner[i] = Pstream::myProcNo();
+                }
+            }
+        }
+
+        Pstream::listCombineGather(owner, maxEqOp<label>());
+        Pstream::listCombineScatter(owner);
+
+        bool complete = true;
+        forAll(parcels, i)
+        {
+            if (owner[i] == -1)
+            {
+                parcels[i].cell = attempt == 0 ? -2 : -1;
+                complete = false;
+            }
+            else if (owner[i] != Pstream::myProcNo())
+            {
+                parcels[i].cell = -1;
+            }
+        }
+        if (complete)
+        {
+            break;
+        }
+    }
+}
+
+
+// * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * * //
+
+template<class CloudType>
+template<class Value, class... Range>
+void Foam::IdentifiedInjection<CloudType>::refuse
+(
+    const word& entry,
+    const Value& value,
+    const Range&... range
+) const
+{
+    OSstream& os = FatalIOErrorInFunction(this->coeffDict());
+    os  << this->modelName() << ": entry '" << entry << "', value " << value
+        << ", is outside the valid range ";
+    (os << ... << range);
+    os  << exit(FatalIOError);
+}
+
+
+template<class CloudType>
+Foam::scalar Foam::IdentifiedInjection<CloudType>::positive
+(
+    const word& entry,
+    const scalar deflt
+) const
+{
+    const scalar value =
+        deflt > 0
+      ? this->coeffDict().template lookupOrDefault<scalar>(entry, deflt)
+      : this->coeffDict().template get<scalar>(entry);
+
+    if (value <= 0)
+    {
+        refuse(entry, value, "(0, infinity)");
+    }
+    return value;
+}
+
+
+template<class CloudType>
+Foam::scalar Foam::IdentifiedInjection<CloudType>::thickness() const
+{
+    const polyMesh& mesh = this->owner().mesh();
+    if (mesh.nSolutionD() != 2)
+    {
+        return -1;
+    }
+    const Vector<label>& solved = mesh.solutionD();
+    const direction empty = solved.x() == -1 ? 0 : solved.y() == -1 ? 1 : 2;
+    return mesh.bounds().span()[empty];
+}
+
+
+template<class CloudType>
+bool Foam::IdentifiedInjection<CloudType>::validInjection(const label parcelI)
+{
+    // The base class takes the time of injection from here: the end of the
+    // step, so that it does not move the parcel itself
+    this->time0_ = this->owner().db().time().value();
+    current_ = parcelI;
+    return true;
+}
+
+
+template<class CloudType>
+bool Foam::IdentifiedInjection<CloudType>::prepareForNextTimeStep
+(
+    const scalar time,
+    label& newParcels,
+    scalar& newVolumeFraction
+)
+{
+    const scalar t0 = time - this->owner().db().time().deltaTValue();
+
+    DynamicList<newParcel> candidates;
+    select(t0, candidates);
+    locate(candidates);
+
+    parcels_.clear();
+    for (const newParcel& candidate : candidates)
+    {
+        if (candidate.cell >= 0)
+        {
+            parcels_.append(candidate);
+        }
+    }
+    outside
+    (
+        candidates,
+        candidates.size() - returnReduce(parcels_.size(), sumOp<label>())
+    );
+
+    newParcels = parcels_.size();
+    newVolumeFraction = 1;
+
+    // Makes the base class' interval of injection within the step empty
+    this->time0_ = this->timeEnd();
+
+    if (this->writeTime())
+    {
+        store();
+    }
+
+    return newParcels > 0;
+}
+
+
+template<class CloudType>
+Foam::scalar Foam::IdentifiedInjection<CloudType>::setNumberOfParticles
+(
+    const label parcels,
+    const scalar volumeFraction,
+    const scalar diameter,
+    const scalar rho
+)
+{
+    return parcels_[current_].nParticle;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+template<class CloudType>
+Foam::IdentifiedInjection<CloudType>::IdentifiedInjection
+(
+    const dictionary& dict,
+    CloudType& owner,
+    const word& modelName,
+    const word& modelType
+)
+:
+    InjectionModel<CloudType>(complete(dict), owner, modelName, modelType),
+    U0_(this->coeffDict().template get<vector>("U0")),
+    modelIndex_(0),
+    nModels_(1),
+    parcels_(),
+    current_(-1)
+{
+    if (!owner.solution().transient())
+    {
+        FatalIOErrorInFunction(owner.solution().dict())
+            << modelType << " needs a cloud tracked in time: entry"
+            << " 'transient', value no, is outside the valid range (yes)"
+            << exit(FatalIOError);
+    }
+
+    if (owner.constProps().rho0() <= 0)
+    {
+        FatalIOErrorInFunction(owner.constProps().dict())
+            << "Entry 'rho0', value " << owner.constProps().rho0()
+            << ", is outside the valid range (0, infinity)"
+            << exit(FatalIOError);
+    }
+
+    const wordList models
+    (
+        owner.particleProperties().subDict("subModels")
+            .subDict("injectionModels").toc()
+    );
+    nModels_ = max(1, models.size());
+    modelIndex_ = max(0, models.find(modelName));
+
+    // The first point search builds data with communication between ranks
+    (void)owner.mesh().tetBasePtIs();
+}
+
+
+template<class CloudType>
+Foam::IdentifiedInjection<CloudType>::IdentifiedInjection
+(
+    const IdentifiedInjection<CloudType>& im
+)
+:
+    InjectionModel<CloudType>(im),
+    U0_(im.U0_),
+    modelIndex_(im.modelIndex_),
+    nModels_(im.nModels_),
+    parcels_(),
+    current_(-1)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+template<class CloudType>
+Foam::label Foam::IdentifiedInjection<CloudType>::identity
+(
+    const int64_t k
+) const
+{
+    const int64_t id = modelIndex_ + nModels_*k;
+    if (id > labelMax)
+    {
+        FatalErrorInFunction
+            << "Injection model " << this->modelName() << " of cloud "
+            << this->owner().name() << " has used up the " << labelMax
+            << " identities of this build's labels. Use a build with 64-bit"
+            << " labels or more real particles per parcel (nParticle)."
+            << exit(FatalError);
+    }
+    return id;
+}
+
+
+template<class CloudType>
+void Foam::IdentifiedInjection<CloudType>::setPositionAndCell
+(
+    const label parcelI,
+    const label,
+    const scalar,
+    vector& position,
+    label& cellOwner,
+    label& tetFacei,
+    label& tetPti
+)
+{
+    position = parcels_[parcelI].position;
+    cellOwner = parcels_[parcelI].cell;
+}
+
+
+template<class CloudType>
+void Foam::IdentifiedInjection<CloudType>::setProperties
+(
+    const label parcelI,
+    const label,
+    const scalar,
+    parcelType& parcel
+)
+{
+    parcel.U() = U0_;
+    parcel.d() = parcels_[parcelI].d;
+    parcel.origProc() = 0;
+    parcel.origId() = identity(parcels_[parcelI].number);
+}

@@ -1,0 +1,127 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "RakeInjection.H"
+#include "meshTools.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class CloudType>
+Foam::point Foam::RakeInjection<CloudType>::position(const label i) const
+{
+    point p =
+        nParcels_ > 1 ? start_ + i*(end_ - start_)/(nParcels_ - 1) : start_;
+    meshTools::constrainToMeshCentre(this->owner().mesh(), p);
+    return p;
+}
+
+
+// * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * * //
+
+template<class CloudType>
+void Foam::RakeInjection<CloudType>::select
+(
+    const scalar t0,
+    DynamicList<newParcel>& parcels
+)
+{
+    const scalar rounding = 1e-6*this->owner().db().time().deltaTValue();
+    if (released_ || t0 < this->SOI_ - rounding)
+    {
+        return;
+    }
+    released_ = true;
+    for (label i = 0; i < nParcels_; ++i)
+    {
+        parcels.append(newParcel{position(i), d_, nParticle_, i, -1});
+    }
+}
+
+
+template<class CloudType>
+void Foam::RakeInjection<CloudType>::outside
+(
+    const DynamicList<newParcel>& all,
+    label n
+)
+{
+    if (n)
+    {
+        WarningInFunction
+            << n << " of the " << all.size() << " parcels of "
+            << this->modelName() << " lie outside the mesh and are left out"
+            << endl;
+    }
+}
+
+
+template<class CloudType>
+void Foam::RakeInjection<CloudType>::store()
+{
+    this->template setModelProperty<label>("released", released_);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+template<class CloudType>
+Foam::RakeInjection<CloudType>::RakeInjection
+(
+    const dictionary& dict,
+    CloudType& owner,
+    const word& modelName
+)
+:
+    IdentifiedInjection<CloudType>(dict, owner, modelName, typeName),
+    start_(this->coeffDict().template get<point>("start")),
+    end_(this->coeffDict().template get<point>("end")),
+    nParcels_(this->coeffDict().template get<label>("nParcels")),
+    d_(this->positive("diameter")),
+    nParticle_(this->positive("nParticle")),
+    released_(this->template getModelProperty<label>("released"))
+{
+    if (nParcels_ < 1)
+    {
+        this->refuse("nParcels", nParcels_, "[1, infinity)");
+    }
+
+    for (const label i : {label(0), nParcels_ - 1})
+    {
+        const point p = position(i);
+        if (!owner.mesh().bounds().contains(p))
+        {
+            this->refuse
+            (
+                i == 0 ? "start" : "end",
+                p,
+                owner.mesh().bounds(),
+                " (bounds of the mesh)"
+            );
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+template<class CloudType>
+Foam::scalar Foam::RakeInjection<CloudType>::volumeToInject
+(
+    const scalar time0,
+    const scalar time1
+)
+{
+    return
+        parcelsToInject(time0, time1)*nParticle_
+       *CloudType::parcelType::volume(d_);
+}
+
+
+template<class CloudType>
+Foam::scalar Foam::RakeInjection<CloudType>::averageParcelMass()
+{
+    return
+        nParticle_*this->owner().constProps().rho0()
+       *CloudType::parcelType::volume(d_);
+}

@@ -1,0 +1,11 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+
+Description
+    Registers our cloud function objects for basicKinematicCloud.
+\*---------------------------------------------------------------------------*/
+
+#include "basicKinematicCloud.H"
+#include "ImpactRecords.H"
+
+makeCloudFunctionObjectType(ImpactRecords, basicKinematicCloud);
