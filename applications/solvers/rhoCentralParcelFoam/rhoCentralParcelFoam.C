@@ -6,11 +6,17 @@ Application
 
 Description
     Compressible flow of a perfect gas, transient, steady or frozen, with any
-    number of Lagrangian particle clouds in it.
+    number of Lagrangian particle clouds in it (highSpeedGas.H,
+    parcelClouds.H).
+
+    Without clouds a steady run ends, and writes its fields, as soon as the
+    gas is steady.
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
+#include "completeWrite.H"
 #include "highSpeedGas.H"
+#include "parcelClouds.H"
 
 int main(int argc, char* argv[])
 {
@@ -22,27 +28,38 @@ int main(int argc, char* argv[])
 
     #include "setRootCase.H"
     #include "createTime.H"
+    completeWrite::findStart(runTime);
     #include "createMesh.H"
 
     highSpeedGas gas(mesh);
+    parcelClouds clouds(mesh, gas.rho(), gas.U(), gas.thermo());
 
     Info<< nl << "Starting time loop" << nl << endl;
 
     while (runTime.run())
     {
-        if (runTime.controlDict().getOrDefault("adjustTimeStep", false))
-        {
-            runTime.setDeltaT(min(gas.stableDeltaT(), runTime.deltaTValue()*1.2));
-        }
+        gas.setDeltaT(runTime);
         ++runTime;
+        Info<< "Time = " << runTime.timeName() << endl;
 
-        gas.solve();
+        const bool changed = gas.solve();
 
-        runTime.write();
+        if (!clouds.empty())
+        {
+            clouds.evolve(changed);
+        }
+        else if (gas.frozen())
+        {
+            completeWrite::writeNow(runTime);
+            break;
+        }
+
+        completeWrite::write(runTime);
         runTime.printExecutionTime(Info);
     }
 
-    Info<< "Gas: " << gas.cpuTime() << " s of processor time" << nl
-        << "End" << nl << endl;
+    Info<< "Gas: " << gas.cpuTime() << " s of processor time" << endl;
+    clouds.info();
+    Info<< "End" << nl << endl;
     return 0;
 }

@@ -7,6 +7,7 @@
 #include "wedgePolyPatch.H"
 #include "slipFvPatchFields.H"
 #include "thermodynamicConstants.H"
+#include "completeWrite.H"
 #include <algorithm>
 
 // * * * * * * * * * * * * * * * Set-up  * * * * * * * * * * * * * * * * * * //
@@ -490,7 +491,9 @@ void Foam::gasEquations::reportTrouble()
             << " from p = " << q[0] << " Pa, T = " << q[1] << " K" << endl;
     }
 
+    // Marked as incomplete: to look at, not to restart from
     publish();
+    completeWrite::begin(mesh_.time());
     const_cast<Time&>(mesh_.time()).writeNow();
     FatalErrorInFunction
         << "The gas solution broke down at time " << mesh_.time().timeName()

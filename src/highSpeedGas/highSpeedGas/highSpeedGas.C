@@ -16,33 +16,87 @@ Foam::highSpeedGas::modeNames
 
 void Foam::highSpeedGas::readSettings()
 {
-    const dictionary& d = settings_;
+    const dictionary& solution = mesh_.solutionDict();
+    const dictionary d
+    (
+        dictionary(solution.name() + ".highSpeedGas"),
+        solution.subOrEmptyDict("highSpeedGas")
+    );
+
+    static const wordList known
+    {
+        "mode", "scheme", "maxCo", "residual", "maxIterations",
+        "reportEvery", "viscous"
+    };
+    for (const entry& e : d)
+    {
+        if (!known.found(e.keyword()))
+        {
+            FatalIOErrorInFunction(d)
+                << "Unknown entry " << e.keyword() << nl
+                << "Valid entries: " << known << exit(FatalIOError);
+        }
+    }
 
     mode_ = modeNames.getOrDefault("mode", d, modeType::transient);
-    scheme_ = d.getOrDefault<word>("scheme", "RK3");
-    maxCo_ = d.getCheckOrDefault<scalar>
+
+    const bool steady = mode_ == modeType::steady;
+    const wordList schemes
     (
-        "maxCo", 0.5, scalarMinMax::ge(SMALL)
+        steady
+      ? wordList({"Euler", "RK2", "RK3", "implicit"})
+      : wordList({"Euler", "RK2", "RK3"})
     );
-    residual_ = d.getCheckOrDefault<scalar>
+    const word scheme
     (
-        "residual", 1e-6, scalarMinMax(SMALL, 1)
+        d.getOrDefault<word>("scheme", steady ? "implicit" : "RK3")
     );
-    maxIterations_ = d.getCheckOrDefault<label>
+    const label i = schemes.find(scheme);
+    if (i < 0)
+    {
+        FatalIOErrorInFunction(d)
+            << "Unknown scheme " << scheme << " for mode "
+            << modeNames[mode_] << nl
+            << "Valid schemes: " << schemes << exit(FatalIOError);
+    }
+    implicit_ = i == 3;
+    stages_ = implicit_ ? 3 : i + 1;
+
+    auto inRange = [&]
     (
-        "maxIterations", 20000, labelMinMax::ge(1)
-    );
-    reportEvery_ = d.getCheckOrDefault<label>
+        const word& name,
+        const scalar value,
+        const bool ok,
+        const char* range
+    )
+    {
+        if (!ok)
+        {
+            FatalIOErrorInFunction(d)
+                << "Entry " << name << " is " << value
+                << "; its valid range is " << range << exit(FatalIOError);
+        }
+    };
+
+    maxCo_ = d.getOrDefault<scalar>("maxCo", implicit_ ? 30 : 0.5);
+    inRange
     (
-        "reportEvery", 100, labelMinMax::ge(1)
+        "maxCo", maxCo_, maxCo_ > 0 && maxCo_ <= (implicit_ ? 1e9 : 1),
+        implicit_ ? "(0, 1e9]" : "(0, 1]"
     );
+    residual_ = d.getOrDefault<scalar>("residual", 1e-4);
+    inRange("residual", residual_, residual_ > 0 && residual_ < 1, "(0, 1)");
+    maxIterations_ = d.getOrDefault<label>("maxIterations", 10000);
+    inRange("maxIterations", maxIterations_, maxIterations_ >= 1, ">= 1");
+    reportEvery_ = d.getOrDefault<label>("reportEvery", 100);
+    inRange("reportEvery", reportEvery_, reportEvery_ >= 1, ">= 1");
+    viscous_ = d.getOrDefault("viscous", false);
 }
 
 
 Foam::highSpeedGas::highSpeedGas(const fvMesh& mesh)
 :
     mesh_(mesh),
-    settings_(mesh.solutionDict().subOrEmptyDict("highSpeedGas")),
     thermo_(fluidThermo::New(mesh)),
     U_
     (
@@ -88,23 +142,56 @@ Foam::highSpeedGas::highSpeedGas(const fvMesh& mesh)
         mesh,
         dimensionedScalar(dimless, Zero)
     ),
-    converged_(false),
+    state_
+    (
+        IOobject
+        (
+            "highSpeedGas",
+            mesh.time().timeName(),
+            "uniform",
+            mesh.time(),
+            IOobject::READ_IF_PRESENT,
+            IOobject::AUTO_WRITE
+        )
+    ),
+    steady_(false),
     cpuTime_(0)
 {
     readSettings();
+    steady_ =
+        mode_ == modeType::steady
+     && state_.getOrDefault<scalar>("imbalance", GREAT) <= residual_;
 
     equations_.reset
     (
-        new gasEquations(mesh, *thermo_, U_, rho_, phi_, false)
+        new gasEquations(mesh, *thermo_, U_, rho_, phi_, viscous_)
     );
-    march_.reset(new RungeKutta(*equations_, 3));
+    march_.reset(new RungeKutta(*equations_, stages_));
     publish();
+
+    Info<< "Gas: mode " << modeNames[mode_]
+        << (steady_ ? ", steady since an earlier run" : "") << endl;
 }
 
 
-Foam::scalar Foam::highSpeedGas::stableDeltaT()
+void Foam::highSpeedGas::setDeltaT(Time& runTime)
 {
-    return frozen() ? GREAT : march_->stableStep(maxCo_);
+    const dictionary& control = runTime.controlDict();
+    if (frozen() || mode_ == modeType::steady
+     || !control.getOrDefault("adjustTimeStep", false))
+    {
+        return;
+    }
+    const scalar stable = march_->stableStep(maxCo_);
+    const scalar largest = control.getOrDefault<scalar>("maxDeltaT", GREAT);
+
+    // After a sudden rise of the stable step the flow may need some steps to
+    // show why it was small
+    const scalar grown =
+        runTime.timeIndex() > runTime.startTimeIndex()
+      ? 1.2*runTime.deltaTValue()
+      : GREAT;
+    runTime.setDeltaT(min(stable, min(largest, grown)));
 }
 
 
@@ -138,18 +225,29 @@ void Foam::highSpeedGas::marchToSteadyState()
 {
     Info<< "Gas: marching to a steady state" << endl;
 
+    // Two symmetric sweeps: more buy fewer steps, but not fewer operations
+    ImplicitGaussSeidel implicit(*equations_, 2);
+
+    // An impulsive start needs the first steps to be short
+    scalar Co = 1;
     scalar imbalance = GREAT;
     label iteration = 0;
-    ImplicitGaussSeidel implicit(*equations_, getenv("SW") ? atoi(getenv("SW")) : 2);
-    scalar Co = 1;
-    while (iteration < maxIterations_)
+
+    while (iteration < maxIterations_ && imbalance > residual_)
     {
-        if (scheme_ == "implicit")
+        if (implicit_)
         {
-            Co = implicit.localStep(Co) ? min(maxCo_, 1.1*Co) : 0.5*Co;
+            Co = implicit.localStep(min(Co, maxCo_)) ? 1.1*Co : 0.5*Co;
+            Co = min(Co, maxCo_);
+            if (Co < 1e-3*min(maxCo_, scalar(1)))
+            {
+                equations_->reportTrouble();
+            }
         }
         else
-        march_->localStep(maxCo_);
+        {
+            march_->localStep(maxCo_);
+        }
         iteration++;
 
         imbalance = equations_->imbalance();
@@ -158,16 +256,24 @@ void Foam::highSpeedGas::marchToSteadyState()
             Info<< "Gas: iteration " << iteration << ", mass imbalance "
                 << imbalance << endl;
         }
-        if (imbalance < residual_)
-        {
-            break;
-        }
     }
 
-    Info<< "Gas: " << (imbalance < residual_ ? "steady" : "NOT steady")
-        << " after " << iteration << " iterations, mass imbalance "
-        << imbalance << " (wanted " << residual_ << ")" << endl;
-    converged_ = true;
+    if (imbalance > residual_)
+    {
+        WarningInFunction
+            << "The gas is not steady after " << iteration
+            << " iterations: mass imbalance " << imbalance
+            << ", wanted " << residual_ << endl;
+    }
+    else
+    {
+        Info<< "Gas: steady after " << iteration
+            << " iterations, mass imbalance " << imbalance << endl;
+    }
+
+    state_.set("imbalance", imbalance);
+    state_.set("iterations", iteration);
+    steady_ = true;
 }
 
 
