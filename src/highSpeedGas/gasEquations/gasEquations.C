@@ -10,6 +10,22 @@
 #include "completeWrite.H"
 #include <algorithm>
 
+namespace Foam
+{
+
+static wordList listOf(const std::vector<std::string>& names)
+{
+    wordList list(label(names.size()));
+    forAll(list, i)
+    {
+        list[i] = names[i];
+    }
+    return list;
+}
+
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * * * Set-up  * * * * * * * * * * * * * * * * * * //
 
 void Foam::gasEquations::setClosure()
@@ -159,7 +175,7 @@ void Foam::gasEquations::setSchemes()
     {
         FatalIOErrorInFunction(schemes)
             << "Unknown fluxScheme " << fluxName << nl
-            << "Valid fluxScheme: " << fluxNames() << exit(FatalIOError);
+            << "Valid fluxScheme: " << listOf(fluxNames()) << exit(FatalIOError);
     }
 
     // The reconstruction of all variables shares one limiter; the names of
@@ -183,7 +199,7 @@ void Foam::gasEquations::setSchemes()
         {
             FatalIOErrorInFunction(interpolation)
                 << "Unknown limiter " << name << " in entry " << key << nl
-                << "Valid limiters: " << reconstructionNames()
+                << "Valid limiters: " << listOf(reconstructionNames())
                 << exit(FatalIOError);
         }
         if (limiter.size() && limiter != name)
@@ -961,13 +977,11 @@ void Foam::gasEquations::soundSpeed(std::vector<double>& a) const
 }
 
 
-void Foam::gasEquations::spectralRadius(std::vector<double>& lambda) const
+void Foam::gasEquations::faceSpectralRadius(std::vector<double>& lambda) const
 {
     const int nDim = geometry_.nDim();
-    const label nInternal = geometry_.nInternal();
-    std::vector<double> a;
-    soundSpeed(a);
-    lambda.assign(geometry_.nCells(), 0);
+    soundSpeed(soundSpeed_);
+    lambda.resize(geometry_.nFaces());
 
     for (label f = 0; f < geometry_.nFaces(); f++)
     {
@@ -983,12 +997,24 @@ void Foam::gasEquations::spectralRadius(std::vector<double>& lambda) const
             uo += qo[d]*n[d];
             ur += qr[d]*n[d];
         }
-        const double l =
-            max(mag(uo) + a[o], mag(ur) + a[r])*geometry_.area[f];
-        lambda[o] += l;
-        if (f < nInternal)
+        lambda[f] =
+            max(mag(uo) + soundSpeed_[o], mag(ur) + soundSpeed_[r])
+           *geometry_.area[f];
+    }
+}
+
+
+void Foam::gasEquations::spectralRadius(std::vector<double>& lambda) const
+{
+    faceSpectralRadius(faceLambda_);
+    lambda.assign(geometry_.nCells(), 0);
+
+    for (label f = 0; f < geometry_.nFaces(); f++)
+    {
+        lambda[geometry_.owner[f]] += faceLambda_[f];
+        if (f < geometry_.nInternal())
         {
-            lambda[r] += l;
+            lambda[geometry_.far[f]] += faceLambda_[f];
         }
     }
 }

@@ -13,12 +13,38 @@ Foam::ImplicitGaussSeidel::ImplicitGaussSeidel
 :
     gas_(gas),
     nSweeps_(nSweeps),
-    lambda_(gas.geometry().nFaces()),
+    stride_(gas.nVar()*(gas.geometry().nDim() + 1)),
     diagonal_(gas.geometry().nCells()),
-    kappa_(gas.geometry().nSlots()),
-    change_(gas.geometry().nSlots()*gas.nVar()),
+    kappa_(gas.geometry().nCells()),
+    energy_(gas.geometry().nCells()),
+    change_(gas.geometry().nSlots()*stride_),
     next_(gas.conserved.size())
-{}
+{
+    const gasMesh& mesh = gas.geometry();
+    const int nDim = mesh.nDim();
+
+    links_.resize(mesh.faceOf.size());
+    halfArea_.resize(mesh.faceOf.size()*nDim);
+    placeOfOwner_.assign(mesh.nFaces(), -1);
+    placeOfFar_.assign(mesh.nFaces(), -1);
+
+    for (label c = 0; c < mesh.nCells(); c++)
+    {
+        for (int i = mesh.cellStart[c]; i < mesh.cellStart[c + 1]; i++)
+        {
+            const int f = mesh.faceOf[i];
+            const bool owns = mesh.owner[f] == c;
+            links_[i].neighbour = owns ? mesh.far[f] : mesh.owner[f];
+            for (int d = 0; d < nDim; d++)
+            {
+                halfArea_[i*nDim + d] =
+                    (owns ? 0.5 : -0.5)
+                   *mesh.area[f]*mesh.normal[f*nDim + d];
+            }
+            (owns ? placeOfOwner_ : placeOfFar_)[f] = i;
+        }
+    }
+}
 
 
 template<int nDim>
@@ -29,57 +55,51 @@ void Foam::ImplicitGaussSeidel::linearise(const scalar Co)
     const gasClosure& closure = gas_.closure();
     const double* q = gas_.primitive.data();
 
-    gas_.soundSpeed(soundSpeed_);
+    gas_.faceSpectralRadius(lambda_);
     std::fill(diagonal_.begin(), diagonal_.end(), 0);
 
     for (label f = 0; f < mesh.nFaces(); f++)
     {
-        const int o = mesh.owner[f];
-        const int r = mesh.far[f];
-        const double* n = &mesh.normal[f*nDim];
-        double uo = 0;
-        double ur = 0;
-        for (int d = 0; d < nDim; d++)
-        {
-            uo += q[o*nVar + 2 + d]*n[d];
-            ur += q[r*nVar + 2 + d]*n[d];
-        }
-        lambda_[f] =
-            max(mag(uo) + soundSpeed_[o], mag(ur) + soundSpeed_[r])
-           *mesh.area[f];
-        diagonal_[o] += 0.5*lambda_[f];
+        const double half = 0.5*lambda_[f];
+        diagonal_[mesh.owner[f]] += half;
+        links_[placeOfOwner_[f]].halfLambda = half;
         if (f < mesh.nInternal())
         {
-            diagonal_[r] += 0.5*lambda_[f];
+            diagonal_[mesh.far[f]] += half;
+            links_[placeOfFar_[f]].halfLambda = half;
         }
     }
 
     // dt = 2 Co V/sum(lambda S)
     for (double& d : diagonal_)
     {
-        d *= 1 + 1/Co;
+        d = 1/(d*(1 + 1/Co));
     }
 
-    for (label s = 0; s < mesh.nSlots(); s++)
+    for (label c = 0; c < mesh.nCells(); c++)
     {
-        const double T = q[s*nVar + 1];
-        kappa_[s] =
+        const double T = q[c*nVar + 1];
+        kappa_[c] =
             closure.R
            /(
                 closure.thermallyPerfect()
               ? closure.specificHeat<true>(T)
               : closure.cv
             );
+        energy_[c] =
+            closure.thermallyPerfect()
+          ? closure.energy<true>(T)
+          : closure.cv*T;
     }
 }
 
 
 template<int nDim>
-void Foam::ImplicitGaussSeidel::relax(const label celli)
+inline void Foam::ImplicitGaussSeidel::relax(const label celli)
 {
     constexpr int nVar = nDim + 2;
+    constexpr int stride = nVar*(nDim + 1);
     const gasMesh& mesh = gas_.geometry();
-    const gasClosure& closure = gas_.closure();
 
     double b[nVar];
     const double* R = &gas_.rate[celli*nVar];
@@ -88,61 +108,60 @@ void Foam::ImplicitGaussSeidel::relax(const label celli)
         b[k] = R[k];
     }
 
-    for (int i = mesh.cellStart[celli]; i < mesh.cellStart[celli + 1]; i++)
+    const int end = mesh.cellStart[celli + 1];
+    for (int i = mesh.cellStart[celli]; i < end; i++)
     {
-        const int f = mesh.faceOf[i];
-        const bool owns = mesh.owner[f] == celli;
-        const int j = owns ? mesh.far[f] : mesh.owner[f];
-        const double sign = owns ? 1 : -1;
-        const double* dW = &change_[j*nVar];
-        const double* q = &gas_.primitive[j*nVar];
-        const double* n = &mesh.normal[f*nDim];
-
-        // A dW with the outward normal, from the state behind the face
-        double un = 0;
-        double dmn = 0;
-        double udm = 0;
-        double uu = 0;
-        for (int d = 0; d < nDim; d++)
+        const double* dW = &change_[links_[i].neighbour*stride];
+        const double half = links_[i].halfLambda;
+        const double* S = &halfArea_[i*nDim];
+        for (int k = 0; k < nVar; k++)
         {
-            const double u = q[2 + d];
-            un += u*n[d];
-            dmn += dW[2 + d]*n[d];
-            udm += u*dW[2 + d];
-            uu += u*u;
+            b[k] += half*dW[k];
         }
-
-        const double T = q[1];
-        const double kappa = kappa_[j];
-        const double e =
-            closure.thermallyPerfect()
-          ? closure.energy<true>(T)
-          : closure.cv*T;
-
-        // dp at fixed composition: R T drho + kappa (d(rho e) - e drho)
-        const double dp =
-            closure.R*T*dW[0]
-          + kappa*(dW[1] - udm + (0.5*uu - e)*dW[0]);
-        const double dMass = dmn;
-        const double dun = dmn - un*dW[0];
-        const double H = e + closure.R*T + 0.5*uu;
-
-        const double S = 0.5*sign*mesh.area[f];
-        const double half = 0.5*lambda_[f];
-        b[0] -= S*dMass - half*dW[0];
-        b[1] -= S*(H*dun + un*(dW[1] + dp)) - half*dW[1];
         for (int d = 0; d < nDim; d++)
         {
-            b[2 + d] -=
-                S*(un*dW[2 + d] + q[2 + d]*dun + dp*n[d]) - half*dW[2 + d];
+            for (int k = 0; k < nVar; k++)
+            {
+                b[k] -= S[d]*dW[(d + 1)*nVar + k];
+            }
         }
     }
 
-    double* dW = &change_[celli*nVar];
-    const double v = 1/diagonal_[celli];
+    double* dW = &change_[celli*stride];
+    const double v = diagonal_[celli];
     for (int k = 0; k < nVar; k++)
     {
         dW[k] = b[k]*v;
+    }
+
+    // Change of the fluxes along each direction that goes with it, once here
+    // instead of once per face
+    const double* q = &gas_.primitive[celli*nVar];
+    const double e = energy_[celli];
+    const double RT = gas_.closure().R*q[1];
+    double udm = 0;
+    double uu = 0;
+    for (int d = 0; d < nDim; d++)
+    {
+        udm += q[2 + d]*dW[2 + d];
+        uu += q[2 + d]*q[2 + d];
+    }
+    const double H = e + RT + 0.5*uu;
+    const double dp =
+        RT*dW[0] + kappa_[celli]*(dW[1] - udm + (0.5*uu - e)*dW[0]);
+
+    for (int d = 0; d < nDim; d++)
+    {
+        double* dF = dW + (d + 1)*nVar;
+        const double u = q[2 + d];
+        const double du = dW[2 + d] - u*dW[0];
+        dF[0] = dW[2 + d];
+        dF[1] = H*du + u*(dW[1] + dp);
+        for (int k = 0; k < nDim; k++)
+        {
+            dF[2 + k] = u*dW[2 + k] + q[2 + k]*du;
+        }
+        dF[2 + d] += dp;
     }
 }
 
@@ -150,7 +169,6 @@ void Foam::ImplicitGaussSeidel::relax(const label celli)
 template<int nDim>
 void Foam::ImplicitGaussSeidel::sweep()
 {
-    constexpr int nVar = nDim + 2;
     const label nCells = gas_.geometry().nCells();
 
     std::fill(change_.begin(), change_.end(), 0);
@@ -160,12 +178,12 @@ void Foam::ImplicitGaussSeidel::sweep()
         {
             relax<nDim>(c);
         }
-        gas_.geometry().exchange(change_.data(), nVar);
+        gas_.geometry().exchange(change_.data(), stride_);
         for (label c = nCells - 1; c >= 0; c--)
         {
             relax<nDim>(c);
         }
-        gas_.geometry().exchange(change_.data(), nVar);
+        gas_.geometry().exchange(change_.data(), stride_);
     }
 }
 
@@ -179,7 +197,7 @@ void Foam::ImplicitGaussSeidel::update()
     {
         const double* w = &gas_.conserved[c*nVar];
         const double* q = &gas_.primitive[c*nVar];
-        const double* dW = &change_[c*nVar];
+        const double* dW = &change_[c*stride_];
         double uu = 0;
         double udm = 0;
         for (int d = 0; d < nDim; d++)

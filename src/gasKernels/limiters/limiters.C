@@ -4,7 +4,7 @@
 
 #include "vectorKernel.H"
 #include "limiters.H"
-#include "HashTable.H"
+#include <map>
 
 namespace Foam
 {
@@ -182,9 +182,9 @@ makeReconstruction(limitedCubic)
 namespace
 {
 
-const HashTable<reconstructionKernel>& table()
+const std::map<std::string, reconstructionKernel>& table()
 {
-    static const HashTable<reconstructionKernel> kernels
+    static const std::map<std::string, reconstructionKernel> kernels
     {
         {"upwind", reconstructupwind},
         {"Minmod", reconstructMinmod},
@@ -204,14 +204,22 @@ const HashTable<reconstructionKernel>& table()
 } // End namespace Foam
 
 
-Foam::reconstructionKernel Foam::selectReconstruction(const word& limiter)
+Foam::reconstructionKernel Foam::selectReconstruction
+(
+    const std::string& limiter
+)
 {
-    const auto found = table().cfind(limiter);
-    return found.found() ? *found : nullptr;
+    const auto found = table().find(limiter);
+    return found == table().end() ? nullptr : found->second;
 }
 
 
-Foam::wordList Foam::reconstructionNames()
+std::vector<std::string> Foam::reconstructionNames()
 {
-    return table().sortedToc();
+    std::vector<std::string> names;
+    for (const auto& kernel : table())
+    {
+        names.push_back(kernel.first);
+    }
+    return names;
 }

@@ -4,7 +4,8 @@
 
 #include "vectorKernel.H"
 #include "fluxes.H"
-#include "HashTable.H"
+#include <cmath>
+#include <map>
 
 namespace Foam
 {
@@ -281,25 +282,26 @@ struct HLLC
         const double dR = R.rho*(sR - R.un);
         const double sM = (R.p - L.p + dL*L.un - dR*R.un)/(dL - dR);
 
-        // Only the side the contact lies on counts
-        const bool onLeft = sM > 0;
-        const double s = onLeft ? sL : sR;
-        const double rho = onLeft ? L.rho : R.rho;
-        const double p = onLeft ? L.p : R.p;
-        const double u = onLeft ? L.un : R.un;
-        const double H = onLeft ? L.H : R.H;
-        const bool beyond = onLeft ? sL > 0 : sR < 0;
+        // Only the side the contact lies on counts. Weights of zero and one
+        // are exact, and unlike a branch they leave the loop in one piece.
+        const double onLeft = sM > 0 ? 1 : 0;
+        const double onRight = 1 - onLeft;
+        const double s = onLeft*sL + onRight*sR;
+        const double active = onLeft*least(sL, 0) + onRight*most(sR, 0);
+        const double rho = onLeft*L.rho + onRight*R.rho;
+        const double p = onLeft*L.p + onRight*R.p;
+        const double u = onLeft*L.un + onRight*R.un;
+        const double H = onLeft*L.H + onRight*R.H;
 
         const double star = rho*(s - u)/(s - sM);
         const double E = H - p/rho;
         const double starE = E + (sM - u)*(sM + p/(rho*(s - u)));
-        const double active = beyond ? 0 : s;
 
         block.flux[0][i] = rho*u + active*(star - rho);
         block.flux[1][i] = rho*u*H + active*(star*starE - rho*E);
         for (int k = 0; k < nDim; k++)
         {
-            const double v = onLeft ? L.u[k] : R.u[k];
+            const double v = onLeft*L.u[k] + onRight*R.u[k];
             const double n = block.normal[k][i];
             block.flux[2 + k][i] =
                 rho*u*v + p*n
@@ -368,9 +370,9 @@ struct fluxVersions
     fluxKernel kernel[4];
 };
 
-const HashTable<fluxVersions>& table()
+const std::map<std::string, fluxVersions>& table()
 {
-    static const HashTable<fluxVersions> kernels
+    static const std::map<std::string, fluxVersions> kernels
     {
         listFluxes(Kurganov),
         listFluxes(SLAU2),
@@ -391,22 +393,27 @@ const HashTable<fluxVersions>& table()
 
 Foam::fluxKernel Foam::selectFlux
 (
-    const word& scheme,
+    const std::string& scheme,
     const int nDim,
     const bool thermallyPerfect
 )
 {
-    const auto found = table().cfind(scheme);
+    const auto found = table().find(scheme);
     return
-        found.found()
-      ? (*found).kernel[(nDim - 2) + 2*int(thermallyPerfect)]
-      : nullptr;
+        found == table().end()
+      ? nullptr
+      : found->second.kernel[(nDim - 2) + 2*int(thermallyPerfect)];
 }
 
 
-Foam::wordList Foam::fluxNames()
+std::vector<std::string> Foam::fluxNames()
 {
-    return table().sortedToc();
+    std::vector<std::string> names;
+    for (const auto& versions : table())
+    {
+        names.push_back(versions.first);
+    }
+    return names;
 }
 
 
