@@ -164,12 +164,14 @@ void Foam::gasEquations::setClosure()
 void Foam::gasEquations::setSchemes()
 {
     const dictionary& schemes = mesh_.schemesDict();
-    const word fluxName(schemes.getOrDefault<word>("fluxScheme", "SLAU2"));
+    const word fluxName(schemes.getOrDefault<word>("fluxScheme", "HLLC"));
     const int nDim = geometry_.nDim();
 
     flux_ = selectFlux(fluxName, nDim, closure_.thermallyPerfect());
     robustFlux_ = selectFlux("Kurganov", nDim, closure_.thermallyPerfect());
-    sensesShocks_ = fluxName != "Kurganov";
+    sensesShocks_ = fluxName == "HLLC";
+    shocksStay_ = false;
+    shocked_.assign(geometry_.nFaces(), 0);
 
     if (!flux_)
     {
@@ -781,7 +783,11 @@ void Foam::gasEquations::innerFluxes()
             }
             shock[i] =
                 sensesShocks_
-             && inShock<nDim>(qo, qr, go, gr, delta);
+             && (
+                    (shocksStay_ && shocked_[f])
+                 || inShock<nDim>(qo, qr, go, gr, delta)
+                );
+            shocked_[f] = shock[i];
             shockedBlock = shockedBlock || shock[i];
             troubledFace[i] = anyTroubled_ && (troubled_[o] || troubled_[r]);
             troubledBlock = troubledBlock || troubledFace[i];

@@ -78,7 +78,7 @@ void Foam::highSpeedGas::readSettings()
         }
     };
 
-    maxCo_ = d.getOrDefault<scalar>("maxCo", implicit_ ? 30 : 0.5);
+    maxCo_ = d.getOrDefault<scalar>("maxCo", implicit_ ? 100 : 0.5);
     inRange
     (
         "maxCo", maxCo_, maxCo_ > 0 && maxCo_ <= (implicit_ ? 1e9 : 1),
@@ -225,11 +225,18 @@ void Foam::highSpeedGas::marchToSteadyState()
 {
     Info<< "Gas: marching to a steady state" << endl;
 
-    // Two symmetric sweeps: more buy fewer steps, but not fewer operations
-    ImplicitGaussSeidel implicit(*equations_, 2);
+    // Four symmetric sweeps: more buy fewer steps, but not fewer operations
+    ImplicitGaussSeidel implicit(*equations_, 4);
 
-    // An impulsive start needs the first steps to be short
-    scalar Co = 1;
+    // An impulsive start needs the first steps to be short. Where the march
+    // makes no headway, the steps are too long for the approximations of its
+    // left-hand side, and are halved.
+    const label patience = 200;
+    scalar largestCo = maxCo_;
+    scalar Co = min(scalar(1), maxCo_);
+    scalar best = GREAT;
+    label bestIteration = 0;
+
     scalar imbalance = GREAT;
     label iteration = 0;
 
@@ -237,8 +244,7 @@ void Foam::highSpeedGas::marchToSteadyState()
     {
         if (implicit_)
         {
-            Co = implicit.localStep(min(Co, maxCo_)) ? 1.1*Co : 0.5*Co;
-            Co = min(Co, maxCo_);
+            Co = min(largestCo, implicit.localStep(Co) ? 1.1*Co : 0.5*Co);
             if (Co < 1e-3*min(maxCo_, scalar(1)))
             {
                 equations_->reportTrouble();
@@ -251,10 +257,29 @@ void Foam::highSpeedGas::marchToSteadyState()
         iteration++;
 
         imbalance = equations_->imbalance();
+        if (imbalance < 1e-2)
+        {
+            equations_->holdShocks();
+        }
+        if (imbalance < 0.7*best)
+        {
+            best = imbalance;
+            bestIteration = iteration;
+        }
+        else if (iteration - bestIteration >= patience && largestCo > 1)
+        {
+            largestCo = max(scalar(1), 0.5*min(Co, largestCo));
+            bestIteration = iteration;
+        }
         if (iteration % reportEvery_ == 0)
         {
             Info<< "Gas: iteration " << iteration << ", mass imbalance "
-                << imbalance << endl;
+                << imbalance;
+            if (implicit_)
+            {
+                Info<< ", Courant number " << Co;
+            }
+            Info<< endl;
         }
     }
 
