@@ -238,8 +238,7 @@ void Foam::CrossSectionInjection<CloudType>::select
     DynamicList<newParcel>& parcels
 )
 {
-    const scalar rounding = 1e-6*this->owner().db().time().deltaTValue();
-    if (t0 < this->SOI_ - rounding)
+    if (t0 < this->SOI_)
     {
         return;
     }
