@@ -267,6 +267,31 @@ TEST_F(parcelCloudsTest, refusesBadLists)
 }
 
 
+TEST_F(parcelCloudsTest, refusesAnIncompressibleGas)
+{
+    dictionary thermo(read(path("constant/thermophysicalProperties")));
+    thermo.subDict("thermoType").set("type", word("heRhoThermo"));
+    thermo.subDict("thermoType").set("equationOfState", word("rhoConst"));
+    thermo.subDict("thermoType").set("transport", word("const"));
+    thermo.subDict("mixture").set
+    (
+        "equationOfState",
+        dictionary(IStringStream("rho 1;")())
+    );
+    thermo.subDict("mixture").set
+    (
+        "transport",
+        dictionary(IStringStream("mu 1e-5; Pr 0.7;")())
+    );
+    write("thermophysicalProperties", thermo);
+    list("(sand)");
+    addCloud("sand", dictionary());
+    open();
+    const std::string message = refusal();
+    EXPECT_NE(message.find("equation of state"), std::string::npos) << message;
+}
+
+
 TEST_F(parcelCloudsTest, noticesAChangeOfTheGas)
 {
     // A solver may write through raw arrays, which leaves no trace that the
