@@ -159,7 +159,14 @@ Foam::HendersonDragForce<CloudType>::HendersonDragForce
             << exit(FatalIOError);
     }
 
-    thermo();
+    if (gMin(thermo().psi().primitiveField()) <= 0)
+    {
+        FatalIOErrorInFunction(this->coeffs())
+            << "hendersonDrag needs a speed of sound: entry 'thermo', value "
+            << thermoName_ << ", has an incompressible equation of state"
+            << " (compressibility psi outside the valid range (0, infinity))"
+            << exit(FatalIOError);
+    }
 }
 
 

@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "CrossSectionInjection.H"
+#include "ListListOps.H"
 #include "ListOps.H"
 #include "wordRes.H"
 
@@ -92,19 +93,37 @@ void Foam::CrossSectionInjection<CloudType>::setEntry()
         this->coeffDict().template get<wordRes>("patches")
     );
 
+    const wordList patchNames
+    (
+        SubList<word>(boundary.names(), boundary.nNonProcessor())
+    );
+    if (names.empty())
+    {
+        this->refuse("patches", "()", "of patches ", patchNames);
+    }
+    labelList patchIDs;
     for (const wordRe& name : names)
     {
-        if (boundary.findIndices(keyType(name)).empty())
+        bool found = false;
+        forAll(patchNames, patchi)
         {
-            this->refuse("patches", name, "of patches ", boundary.names());
+            if (name.match(patchNames[patchi]))
+            {
+                patchIDs.append(patchi);
+                found = true;
+            }
+        }
+        if (!found)
+        {
+            this->refuse("patches", name, "of patches ", patchNames);
         }
     }
-    labelHashSet patchIDs(boundary.patchSet(names));
+    inplaceUniqueSort(patchIDs);
 
     // A triangle fan over each face; positions of the triangles in an order
     // given by the geometry, so that it is that of the undecomposed mesh
     DynamicList<point> myCorners;
-    for (const label patchi : patchIDs.sortedToc())
+    for (const label patchi : patchIDs)
     {
         const polyPatch& patch = boundary[patchi];
         forAll(patch, facei)
@@ -238,8 +257,7 @@ void Foam::CrossSectionInjection<CloudType>::select
     DynamicList<newParcel>& parcels
 )
 {
-    const scalar rounding = 1e-6*this->owner().db().time().deltaTValue();
-    if (t0 < this->SOI_ - rounding)
+    if (t0 < this->SOI_)
     {
         return;
     }

@@ -7,6 +7,8 @@
 #include "treeDataCell.H"
 #include "indexedOctree.H"
 
+#include <cmath>
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<class CloudType>
@@ -165,7 +167,12 @@ bool Foam::IdentifiedInjection<CloudType>::prepareForNextTimeStep
     scalar& newVolumeFraction
 )
 {
-    const scalar t0 = time - this->owner().db().time().deltaTValue();
+    // The sum of the time steps and the time a restart reads from the name of
+    // its folder differ by rounding; a grid of a millionth of a step removes
+    // the difference
+    const scalar deltaT = this->owner().db().time().deltaTValue();
+    const scalar grid = 1e-6*deltaT;
+    const scalar t0 = grid*std::round((time - deltaT)/grid);
 
     DynamicList<newParcel> candidates;
     select(t0, candidates);

@@ -1,0 +1,448 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+
+Description
+    The list of clouds and the models in it on a small channel: construction
+    and refusal, frozen and changing gas, drag against the core in perfect and
+    in thermally perfect gas, the annotated dictionaries.
+\*---------------------------------------------------------------------------*/
+
+#include "IFstream.H"
+#include "OFstream.H"
+#include "OSspecific.H"
+#include "Time.H"
+#include "basicKinematicCloud.H"
+#include "fluidThermo.H"
+#include "fvMesh.H"
+#include "hendersonDrag.H"
+#include "kinematicParcelCloud.H"
+#include "parcelClouds.H"
+
+#include <gtest/gtest.h>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+
+using namespace Foam;
+
+namespace
+{
+
+//- The case of tests/cases/particles, in a folder of its own
+class parcelCloudsTest
+:
+    public ::testing::Test
+{
+protected:
+
+    fileName root_;
+    autoPtr<Time> time_;
+    autoPtr<fvMesh> mesh_;
+    autoPtr<fluidThermo> thermo_;
+    autoPtr<volScalarField> rho_;
+    autoPtr<volVectorField> U_;
+
+    void SetUp() override
+    {
+        std::string name
+        (
+            std::filesystem::temp_directory_path()/"parcelImpactXXXXXX"
+        );
+        ASSERT_TRUE(mkdtemp(&name[0]));
+        root_ = name;
+        const std::string source
+        (
+            std::string(std::getenv("PARCEL_IMPACT_DIR"))
+          + "/tests/cases/particles/case/."
+        );
+        const std::string command
+        (
+            "cp -r " + source + " " + root_ + "/case && cd " + root_
+          + "/case && cp -r 0.orig 0 && blockMesh > log.blockMesh 2>&1"
+        );
+        ASSERT_EQ(std::system(command.c_str()), 0);
+    }
+
+    void TearDown() override
+    {
+        U_.clear();
+        rho_.clear();
+        thermo_.clear();
+        mesh_.clear();
+        time_.clear();
+        rmDir(root_);
+    }
+
+    fileName path(const char* name) const
+    {
+        return root_/"case"/name;
+    }
+
+    dictionary read(const fileName& file) const
+    {
+        IFstream is(file);
+        return dictionary(is);
+    }
+
+    void write(const word& name, const dictionary& dict) const
+    {
+        OFstream os(root_/"case"/"constant"/name);
+        os.precision(17);
+        os  << "FoamFile{version 2.0; format ascii; class dictionary;"
+            << " object " << name << ";}" << nl;
+        dict.write(os, false);
+    }
+
+    //- The cloud's dictionary with changes merged in
+    void addCloud(const word& cloud, const dictionary& changes) const
+    {
+        dictionary dict(read(path("constant/kinematicCloudProperties")));
+        dict.merge(changes);
+        write(cloud + "Properties", dict);
+    }
+
+    void list(const char* clouds) const
+    {
+        dictionary dict;
+        dict.set("clouds", wordList(IStringStream(clouds)()));
+        write("parcelClouds", dict);
+    }
+
+    //- Mesh and gas
+    void open()
+    {
+        time_.reset(new Time(Time::controlDictName, root_, "case"));
+        mesh_.reset
+        (
+            new fvMesh
+            (
+                IOobject
+                (
+                    fvMesh::defaultRegion,
+                    time_->timeName(),
+                    time_(),
+                    IOobject::MUST_READ
+                )
+            )
+        );
+        thermo_.reset(fluidThermo::New(mesh_()).ptr());
+        rho_.reset
+        (
+            new volScalarField
+            (
+                IOobject("rho", time_->timeName(), mesh_()),
+                thermo_->rho()
+            )
+        );
+        U_.reset
+        (
+            new volVectorField
+            (
+                IOobject
+                (
+                    "U",
+                    time_->timeName(),
+                    mesh_(),
+                    IOobject::MUST_READ
+                ),
+                mesh_()
+            )
+        );
+    }
+
+    std::unique_ptr<parcelClouds> make()
+    {
+        return std::make_unique<parcelClouds>
+        (
+            mesh_(),
+            rho_(),
+            U_(),
+            thermo_()
+        );
+    }
+
+    static const basicKinematicCloud& cloud(const parcelCloudModel& model)
+    {
+        return dynamic_cast<const kinematicParcelCloud<basicKinematicCloud>&>
+        (
+            model
+        ).cloud();
+    }
+
+    static scalar speed(const parcelCloudModel& model)
+    {
+        return cloud(model).first()->U().x();
+    }
+
+    //- The message with which the clouds are refused
+    std::string refusal()
+    {
+        try
+        {
+            make();
+        }
+        catch (const error& e)
+        {
+            return e.message();
+        }
+        return "none";
+    }
+
+    //- Compare the force on the first parcel with the core, in the gas of its
+    //  cell. Returns the Mach number of the relative motion.
+    scalar expectCoreDrag(const parcelCloudModel& model, scalar TwOverT) const
+    {
+        auto& c = const_cast<basicKinematicCloud&>(cloud(model));
+        auto& p = *c.first();
+        const label cell = p.cell();
+        basicKinematicCloud::parcelType::trackingData td(c);
+        td.rhoc() = rho_()[cell];
+        td.Uc() = U_()[cell];
+        td.muc() = thermo_->mu()()[cell];
+        const scalar Re = p.Re(td);
+        const_cast<basicKinematicCloud::forceType&>(c.forces())
+            .cacheFields(true);
+        const scalar Sp =
+            c.forces().calcCoupled(p, td, 1e-9, p.mass(), Re, td.muc()).Sp();
+
+        const scalar gamma = thermo_->gamma()()[cell];
+        const scalar a = std::sqrt(gamma/thermo_->psi()[cell]);
+        const scalar K = td.muc()/(td.rhoc()*p.d()*a);
+        const scalar CdRe = impact::hendersonDrag(gamma, TwOverT).CdRe(Re, K);
+        EXPECT_NEAR(Sp/(M_PI/8*p.d()*td.muc()*CdRe), 1, 1e-13);
+        return K*Re;
+    }
+};
+
+} // End anonymous namespace
+
+
+TEST_F(parcelCloudsTest, hasNoneWithoutTheFile)
+{
+    open();
+    const auto clouds = make();
+    EXPECT_TRUE(clouds->empty());
+    (*time_)++;
+    clouds->evolve();
+    EXPECT_EQ(clouds->nParcelSteps(), 0);
+}
+
+
+TEST_F(parcelCloudsTest, advancesSeveralClouds)
+{
+    list("(coarse fine)");
+    addCloud("coarse", dictionary());
+    addCloud
+    (
+        "fine",
+        dictionary
+        (
+            IStringStream
+            (
+                "subModels{injectionModels{rake{diameter 1e-6;nParcels 3;}}}"
+                "type basicKinematicCloud;"
+            )()
+        )
+    );
+    open();
+    const auto clouds = make();
+    ASSERT_EQ(clouds->size(), 2);
+    for (int step = 0; step < 5; ++step)
+    {
+        (*time_)++;
+        clouds->evolve(false);
+    }
+    EXPECT_EQ((*clouds)[0].name(), "coarse");
+    EXPECT_EQ((*clouds)[0].nParcels(), 7);
+    EXPECT_EQ((*clouds)[1].nParcels(), 3);
+    EXPECT_EQ(clouds->nParcelSteps(), 5*(7 + 3));
+    EXPECT_GT(clouds->cpuTime(), 0);
+    EXPECT_LT(speed((*clouds)[1]), speed((*clouds)[0]));
+}
+
+
+TEST_F(parcelCloudsTest, refusesBadLists)
+{
+    list("(sand sand)");
+    addCloud("sand", dictionary());
+    open();
+    std::string message = refusal();
+    EXPECT_NE(message.find("sand"), std::string::npos) << message;
+    EXPECT_NE(message.find("twice"), std::string::npos) << message;
+
+    list("(other)");
+    addCloud("other", dictionary(IStringStream("type sandCloud;")()));
+    message = refusal();
+    EXPECT_NE(message.find("sandCloud"), std::string::npos) << message;
+    EXPECT_NE(message.find("basicKinematicCloud"), std::string::npos)
+        << message;
+}
+
+
+TEST_F(parcelCloudsTest, refusesAnIncompressibleGas)
+{
+    dictionary thermo(read(path("constant/thermophysicalProperties")));
+    thermo.subDict("thermoType").set("type", word("heRhoThermo"));
+    thermo.subDict("thermoType").set("equationOfState", word("rhoConst"));
+    thermo.subDict("thermoType").set("transport", word("const"));
+    thermo.subDict("mixture").set
+    (
+        "equationOfState",
+        dictionary(IStringStream("rho 1;")())
+    );
+    thermo.subDict("mixture").set
+    (
+        "transport",
+        dictionary(IStringStream("mu 1e-5; Pr 0.7;")())
+    );
+    write("thermophysicalProperties", thermo);
+    list("(sand)");
+    addCloud("sand", dictionary());
+    open();
+    const std::string message = refusal();
+    EXPECT_NE(message.find("equation of state"), std::string::npos) << message;
+}
+
+
+TEST_F(parcelCloudsTest, noticesAChangeOfTheGas)
+{
+    // A solver may write through raw arrays, which leaves no trace that the
+    // cached point values would notice
+    list("(sand)");
+    addCloud("sand", dictionary());
+    open();
+    const auto clouds = make();
+    (*time_)++;
+    clouds->evolve();
+
+    const auto seen = [this, &clouds]()
+    {
+        const auto& p = *cloud((*clouds)[0]).first();
+        return interpolation<vector>::New("cellPoint", U_())->interpolate
+        (
+            p.coordinates(),
+            p.currentTetIndices()
+        ).x();
+    };
+
+    vector* u = U_->primitiveFieldRef().data();
+    (*time_)++;
+    clouds->evolve();
+    EXPECT_EQ(seen(), 0);
+
+    std::fill_n(u, U_->size(), vector(100, 0, 0));
+    forAll(U_->boundaryField(), patchi)
+    {
+        fvPatchVectorField& boundary =
+            const_cast<fvPatchVectorField&>(U_->boundaryField()[patchi]);
+        std::fill(boundary.begin(), boundary.end(), vector(100, 0, 0));
+    }
+    // Half of what the parcel sees would be old
+    (*time_)++;
+    clouds->evolve(false);
+    EXPECT_LT(seen(), 99);
+    (*time_)++;
+    clouds->evolve(true);
+    EXPECT_NEAR(seen(), 100, 1e-10);
+}
+
+
+TEST_F(parcelCloudsTest, dragIsThatOfTheCoreInPerfectGas)
+{
+    list("(sand)");
+    addCloud
+    (
+        "sand",
+        dictionary
+        (
+            IStringStream
+            (
+                "subModels{particleForces{hendersonDrag{TwOverT 1.3;}}}"
+            )()
+        )
+    );
+    open();
+    const auto clouds = make();
+    (*time_)++;
+    clouds->evolve();
+
+    EXPECT_GT(expectCoreDrag((*clouds)[0], 1.3), 1.75);
+}
+
+
+TEST_F(parcelCloudsTest, dragFollowsGammaInThermallyPerfectGas)
+{
+    dictionary thermo(read(path("constant/thermophysicalProperties")));
+    thermo.subDict("thermoType").set("thermo", word("janaf"));
+    thermo.subDict("mixture").set
+    (
+        "thermodynamics",
+        dictionary
+        (
+            IStringStream
+            (
+                "Tlow 200; Thigh 6000; Tcommon 1000;"
+                "highCpCoeffs (3.08581 0.00124862 -4.23613e-07 6.74775e-11"
+                " -3.97077e-15 -983.191 5.96043);"
+                "lowCpCoeffs (3.56839 -0.000678729 1.55371e-06 -3.29937e-12"
+                " -4.66395e-13 -1062.35 3.71582);"
+            )()
+        )
+    );
+    write("thermophysicalProperties", thermo);
+    list("(sand)");
+    addCloud
+    (
+        "sand",
+        dictionary
+        (
+            IStringStream("solution{interpolationSchemes{T cell;}}")()
+        )
+    );
+    open();
+    auto& T = const_cast<volScalarField&>(thermo_->T());
+    T.primitiveFieldRef() =
+        300 + 2e4*mesh_->C().primitiveField().component(vector::X);
+    T.correctBoundaryConditions();
+    thermo_->he() = thermo_->he(thermo_->p(), T);
+    thermo_->correct();
+    const auto clouds = make();
+    (*time_)++;
+    clouds->evolve();
+
+    EXPECT_GT(gMax(thermo_->gamma()()) - gMin(thermo_->gamma()()), 0.05);
+    EXPECT_GT(expectCoreDrag((*clouds)[0], 1), 1);
+}
+
+
+TEST_F(parcelCloudsTest, takesTheAnnotatedDictionaries)
+{
+    const fileName folder
+    (
+        std::string(std::getenv("PARCEL_IMPACT_DIR"))
+      + "/etc/caseDicts/annotated"
+    );
+    for
+    (
+        const char* model
+      : {
+            "hendersonDrag", "crossSectionInjection", "rakeInjection",
+            "impactRecords"
+        }
+    )
+    {
+        const dictionary dict(read(folder/model));
+        ASSERT_GT(dict.size(), 0) << model;
+        addCloud(model, dict);
+    }
+    list("(hendersonDrag crossSectionInjection rakeInjection impactRecords)");
+    ASSERT_EQ(read(folder/"parcelClouds").get<wordList>("clouds").size(), 2);
+    open();
+    const auto clouds = make();
+    (*time_)++;
+    clouds->evolve();
+    for (label i = 0; i < clouds->size(); ++i)
+    {
+        EXPECT_GT((*clouds)[i].nParcels(), 0) << (*clouds)[i].name();
+    }
+}
