@@ -161,6 +161,54 @@ void Foam::gasEquations::setClosure()
 }
 
 
+void Foam::gasEquations::setTransport()
+{
+    closure_.As = 0;
+    closure_.Ts = 0;
+    closure_.mu = 0;
+    closure_.Pr = 1;
+    if (!viscous_)
+    {
+        return;
+    }
+
+    const IOdictionary& properties = thermo_;
+    const dictionary& type = properties.subDict("thermoType");
+    const word model(type.get<word>("transport"));
+    const dictionary& d = properties.subDict("mixture").subDict("transport");
+
+    auto positive = [&](const word& name)
+    {
+        const scalar value = d.get<scalar>(name);
+        if (!(value > 0))
+        {
+            FatalIOErrorInFunction(d)
+                << "Entry " << name << " is " << value
+                << "; its valid range is > 0" << exit(FatalIOError);
+        }
+        return value;
+    };
+
+    if (model == "sutherland")
+    {
+        closure_.As = positive("As");
+        closure_.Ts = positive("Ts");
+    }
+    else if (model == "const")
+    {
+        closure_.mu = positive("mu");
+        closure_.Pr = positive("Pr");
+    }
+    else
+    {
+        FatalIOErrorInFunction(type)
+            << "transport " << model << " cannot be used with viscous flow."
+            << nl << "Valid transport: const, sutherland"
+            << exit(FatalIOError);
+    }
+}
+
+
 void Foam::gasEquations::setSchemes()
 {
     const dictionary& schemes = mesh_.schemesDict();
@@ -250,6 +298,7 @@ void Foam::gasEquations::setPatches()
 
     boundaryNeedsThermo_ = false;
     boolList excluded(mesh_.boundary().size(), false);
+    frictionless_.setSize(mesh_.boundary().size(), false);
 
     for (const gasMesh::patchRange& patch : geometry_.patches())
     {
@@ -263,6 +312,7 @@ void Foam::gasEquations::setPatches()
 
         impermeable_.push_back(wall || patch.symmetry || wedge);
         excluded[patchi] = wedge || slip || (wall && !viscous_);
+        frictionless_[patchi] = wedge || slip || patch.symmetry;
 
         for
         (
@@ -309,6 +359,7 @@ Foam::gasEquations::gasEquations
     rate(geometry_.nCells()*nVar_)
 {
     setClosure();
+    setTransport();
     setSchemes();
     setPatches();
     gradient_.resize(geometry_.nSlots()*nVar_*geometry_.nDim());
@@ -481,10 +532,7 @@ Foam::label Foam::gasEquations::accept(const std::vector<double>& state)
       ? primitivesOf<true>(state)
       : primitivesOf<false>(state);
 
-    if (nBad)
-    {
-        anyTroubled_ = true;
-    }
+    anyTroubled_ = returnReduce(anyTroubled_ || nBad > 0, orOp<bool>());
     return nBad;
 }
 
@@ -933,6 +981,124 @@ void Foam::gasEquations::boundaryFluxes()
 }
 
 
+template<int nDim>
+void Foam::gasEquations::viscousFlux
+(
+    const label f,
+    const double share,
+    const double* gradientFar
+)
+{
+    constexpr int nVar = nDim + 2;
+    const double* qo = &primitive[geometry_.owner[f]*nVar];
+    const double* qf = &primitive[geometry_.far[f]*nVar];
+    const double* go = &gradient_[geometry_.owner[f]*(nVar*nDim)];
+    const double* gf = gradientFar;
+    const double* delta = &geometry_.delta[f*nDim];
+    const double* n = &geometry_.normal[f*nDim];
+
+    double dd = 0;
+    for (int d = 0; d < nDim; d++)
+    {
+        dd += delta[d]*delta[d];
+    }
+
+    // Mean gradient of temperature and velocity, with its part along the line
+    // of centres replaced by the difference over it
+    double g[nDim][nVar];
+    double q[nVar];
+    for (int k = 1; k < nVar; k++)
+    {
+        double along = 0;
+        for (int d = 0; d < nDim; d++)
+        {
+            g[d][k] = (1 - share)*go[d*nVar + k] + share*gf[d*nVar + k];
+            along += g[d][k]*delta[d];
+        }
+        const double defect = (qf[k] - qo[k] - along)/dd;
+        for (int d = 0; d < nDim; d++)
+        {
+            g[d][k] += defect*delta[d];
+        }
+        q[k] = (1 - share)*qo[k] + share*qf[k];
+    }
+
+    const double T = q[1];
+    const double mu = closure_.viscosity(T);
+    const double lambda =
+        closure_.thermallyPerfect()
+      ? closure_.conductivity<true>(mu, T)
+      : closure_.conductivity<false>(mu, T);
+
+    double divU = 0;
+    for (int d = 0; d < nDim; d++)
+    {
+        divU += g[d][2 + d];
+    }
+
+    double flux[nVar];
+    flux[1] = 0;
+    for (int d = 0; d < nDim; d++)
+    {
+        double stress = -2.0/3*divU*n[d];
+        for (int k = 0; k < nDim; k++)
+        {
+            stress += (g[k][2 + d] + g[d][2 + k])*n[k];
+        }
+        flux[2 + d] = -mu*stress;
+        flux[1] += flux[2 + d]*q[2 + d] - lambda*g[d][1]*n[d];
+    }
+
+    const double S = geometry_.area[f];
+    double* ro = &rate[geometry_.owner[f]*nVar];
+    const bool inner = f < geometry_.nInternal();
+    double* rf = inner ? &rate[geometry_.far[f]*nVar] : nullptr;
+    for (int k = 1; k < nVar; k++)
+    {
+        ro[k] -= flux[k]*S;
+        if (inner)
+        {
+            rf[k] += flux[k]*S;
+        }
+    }
+}
+
+
+template<int nDim>
+void Foam::gasEquations::viscousFluxes()
+{
+    constexpr int width = (nDim + 2)*nDim;
+    auto far = [&](const label f)
+    {
+        return &gradient_[geometry_.far[f]*width];
+    };
+
+    for (label f = 0; f < geometry_.nInternal(); f++)
+    {
+        viscousFlux<nDim>(f, geometry_.weight[f], far(f));
+    }
+
+    for (const gasMesh::patchRange& patch : geometry_.patches())
+    {
+        for (label f = patch.start; f < patch.start + patch.size; f++)
+        {
+            if (patch.coupled)
+            {
+                viscousFlux<nDim>(f, geometry_.weight[f], far(f));
+            }
+            else if (!frictionless_[patch.patchi])
+            {
+                // State of the face, gradient of the cell
+                viscousFlux<nDim>
+                (
+                    f, 1, &gradient_[geometry_.owner[f]*width]
+                );
+            }
+        }
+    }
+}
+
+
 void Foam::gasEquations::computeRate()
 {
     std::fill(rate.begin(), rate.end(), 0);
@@ -957,12 +1123,20 @@ void Foam::gasEquations::computeRate()
         gradients<2>();
         innerFluxes<2>();
         boundaryFluxes<2>();
+        if (viscous_)
+        {
+            viscousFluxes<2>();
+        }
     }
     else
     {
         gradients<3>();
         innerFluxes<3>();
         boundaryFluxes<3>();
+        if (viscous_)
+        {
+            viscousFluxes<3>();
+        }
     }
 }
 
@@ -1006,6 +1180,25 @@ void Foam::gasEquations::faceSpectralRadius(std::vector<double>& lambda) const
         lambda[f] =
             max(mag(uo) + soundSpeed_[o], mag(ur) + soundSpeed_[r])
            *geometry_.area[f];
+
+        if (viscous_)
+        {
+            const double* state = &primitive[r*nVar_];
+            const double T = state[1];
+            const double mu = closure_.viscosity(T);
+            const double density = state[0]/(closure_.R*T);
+            const double cv =
+                closure_.thermallyPerfect()
+              ? closure_.specificHeat<true>(T)
+              : closure_.cv;
+            const double lambdaT =
+                closure_.thermallyPerfect()
+              ? closure_.conductivity<true>(mu, T)
+              : closure_.conductivity<false>(mu, T);
+            lambda[f] +=
+                2*max(4.0/3*mu, lambdaT/cv)/density
+               *geometry_.area[f]/geometry_.normalDistance[f];
+        }
     }
 }
 
@@ -1028,37 +1221,70 @@ void Foam::gasEquations::spectralRadius(std::vector<double>& lambda) const
 
 Foam::scalar Foam::gasEquations::imbalance() const
 {
-    scalar sum = 0;
+    const int nDim = geometry_.nDim();
+    soundSpeed(soundSpeed_);
+
+    // Sums over cells: |rates| of mass, momentum and energy, and the
+    // mass-weighted means of |u| + a and H that scale the last two
+    FixedList<scalar, 8> sums(Zero);
+    enum {mass, momentum, energy, weight, speed, enthalpy, inflow, acoustic};
+
     for (label c = 0; c < geometry_.nCells(); c++)
     {
-        sum += mag(rate[c*nVar_]);
+        const double* R = &rate[c*nVar_];
+        const double* w = &conserved[c*nVar_];
+        const double* q = &primitive[c*nVar_];
+        double mm = 0;
+        double uu = 0;
+        for (int d = 0; d < nDim; d++)
+        {
+            mm += R[2 + d]*R[2 + d];
+            uu += q[2 + d]*q[2 + d];
+        }
+        const double m = w[0]*geometry_.volume[c];
+        sums[mass] += mag(R[0]);
+        sums[momentum] += std::sqrt(mm);
+        sums[energy] += mag(R[1]);
+        sums[weight] += m;
+        sums[speed] += m*(std::sqrt(uu) + soundSpeed_[c]);
+        sums[enthalpy] += m*(w[1] + q[0])/w[0];
     }
 
-    scalar inflow = 0;
     for (const gasMesh::patchRange& patch : geometry_.patches())
     {
         if (!patch.coupled)
         {
             for (const scalar m : phi_.boundaryField()[patch.patchi])
             {
-                inflow -= min(m, scalar(0));
+                sums[inflow] -= min(m, scalar(0));
             }
         }
     }
-
-    reduce(sum, sumOp<scalar>());
-    reduce(inflow, sumOp<scalar>());
-
-    if (!(inflow > 0))
+    for (label f = 0; f < geometry_.nInternal(); f++)
     {
-        std::vector<double> a;
-        soundSpeed(a);
-        for (label f = 0; f < geometry_.nInternal(); f++)
-        {
-            const label o = geometry_.owner[f];
-            inflow += conserved[o*nVar_]*a[o]*geometry_.area[f];
-        }
-        reduce(inflow, sumOp<scalar>());
+        const label o = geometry_.owner[f];
+        sums[acoustic] +=
+            conserved[o*nVar_]*soundSpeed_[o]*geometry_.area[f];
     }
-    return sum/inflow;
+
+    for (scalar& sum : sums)
+    {
+        reduce(sum, sumOp<scalar>());
+    }
+
+    // A closed domain is measured by the mass that crosses its faces at the
+    // speed of sound
+    const scalar flow = sums[inflow] > 0 ? sums[inflow] : sums[acoustic];
+
+    return
+        max
+        (
+            sums[mass],
+            max
+            (
+                sums[momentum]*sums[weight]/sums[speed],
+                sums[energy]*sums[weight]/sums[enthalpy]
+            )
+        )
+       /flow;
 }

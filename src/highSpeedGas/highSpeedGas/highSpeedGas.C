@@ -273,7 +273,7 @@ void Foam::highSpeedGas::marchToSteadyState()
         }
         if (iteration % reportEvery_ == 0)
         {
-            Info<< "Gas: iteration " << iteration << ", mass imbalance "
+            Info<< "Gas: iteration " << iteration << ", imbalance "
                 << imbalance;
             if (implicit_)
             {
@@ -287,13 +287,13 @@ void Foam::highSpeedGas::marchToSteadyState()
     {
         WarningInFunction
             << "The gas is not steady after " << iteration
-            << " iterations: mass imbalance " << imbalance
+            << " iterations: imbalance " << imbalance
             << ", wanted " << residual_ << endl;
     }
     else
     {
         Info<< "Gas: steady after " << iteration
-            << " iterations, mass imbalance " << imbalance << endl;
+            << " iterations, imbalance " << imbalance << endl;
     }
 
     state_.set("imbalance", imbalance);

@@ -208,10 +208,29 @@ void Foam::ImplicitGaussSeidel::update()
         const double rhoe = w[1] - 0.5*w[0]*uu;
         const double drhoe = dW[1] - udm + 0.5*uu*dW[0];
         const double worst = max(mag(dW[0])/w[0], mag(drhoe)/rhoe);
-        const double share = worst > 0.3 ? 0.3/worst : 1;
-        for (int k = 0; k < nVar; k++)
+        double share = worst > 0.3 ? 0.3/worst : 1;
+        double* next = &next_[c*nVar];
+
+        // In hypersonic flow the internal energy is a small difference of
+        // large numbers, of which the linear estimate may know little
+        for (int attempt = 0; attempt < 30; attempt++, share *= 0.5)
         {
-            next_[c*nVar + k] = w[k] + share*dW[k];
+            double mm = 0;
+            for (int k = 0; k < nVar; k++)
+            {
+                next[k] = w[k] + share*dW[k];
+                mm += k > 1 ? sqr(next[k]) : 0;
+            }
+            if (next[1] - 0.5*mm/next[0] > 0.5*rhoe)
+            {
+                break;
+            }
+        }
+
+        // A cell that cannot follow is taken to first order in the next step
+        if (share < 0.5)
+        {
+            gas_.setTroubled(c);
         }
     }
 }
@@ -220,6 +239,7 @@ void Foam::ImplicitGaussSeidel::update()
 bool Foam::ImplicitGaussSeidel::localStep(const scalar Co)
 {
     gas_.computeRate();
+    gas_.calm();
 
     if (gas_.geometry().nDim() == 2)
     {
@@ -239,7 +259,6 @@ bool Foam::ImplicitGaussSeidel::localStep(const scalar Co)
     {
         gas_.conserved.swap(next_);
         gas_.correctBoundary();
-        gas_.calm();
     }
     return accepted;
 }
