@@ -40,22 +40,31 @@ int main(int argc, char* argv[])
     {
         gas.setDeltaT(runTime);
         ++runTime;
+
         Info<< "Time = " << runTime.timeName() << endl;
 
+        const bool report = runTime.writeTime();
         const bool changed = gas.solve();
 
         if (!clouds.empty())
         {
             clouds.evolve(changed);
         }
-        else if (gas.frozen())
-        {
-            completeWrite::writeNow(runTime);
-            break;
-        }
 
-        completeWrite::write(runTime);
-        runTime.printExecutionTime(Info);
+        if (clouds.empty() && gas.frozen())
+        {
+            // Nothing more will happen
+            completeWrite::writeNow(runTime);
+            runTime.setEndTime(runTime.value());
+        }
+        else
+        {
+            completeWrite::write(runTime);
+        }
+        if (report)
+        {
+            runTime.printExecutionTime(Info);
+        }
     }
 
     Info<< "Gas: " << gas.cpuTime() << " s of processor time" << endl;

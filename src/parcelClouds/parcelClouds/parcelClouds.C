@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "parcelClouds.H"
+#include "withheldOutput.H"
 #include "HashSet.H"
 #include "IOdictionary.H"
 #include "Time.H"
@@ -154,6 +155,7 @@ void Foam::parcelClouds::evolve(const bool gasChanged)
         }
     }
 
+    const withheldOutput quiet(!rho_.time().writeTime());
     forAll(clouds_, i)
     {
         clouds_[i].evolve();
