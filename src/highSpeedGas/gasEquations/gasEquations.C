@@ -217,7 +217,7 @@ void Foam::gasEquations::setSchemes()
 
     flux_ = selectFlux(fluxName, nDim, closure_.thermallyPerfect());
     robustFlux_ = selectFlux("Kurganov", nDim, closure_.thermallyPerfect());
-    sensesShocks_ = fluxName == "HLLC";
+    sensesShocks_ = fluxName != "Kurganov";
     shocksStay_ = false;
     shocked_.assign(geometry_.nFaces(), 0);
 
