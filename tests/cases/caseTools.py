@@ -1,0 +1,231 @@
+"""What the case tests share: write a case, run it, read its fields."""
+
+import os
+import re
+import shutil
+import subprocess
+
+import numpy as np
+
+R_GAS = 287.05      # [J/(kg K)], from the molecular weight below
+GAMMA = 1.4
+MOL_WEIGHT = 8314.46261815324/R_GAS
+
+
+def verdict(name, good, reason):
+    """One line of the test's report; the reason also stands beside a pass."""
+    print(f"PASS {name} ({reason})" if good else f"FAIL {name}: {reason}",
+          flush=True)
+    return good
+
+
+def run(case, *command, log=None):
+    """Run a program in a case; its exit status and all it said."""
+    done = subprocess.run(command, cwd=case, stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, text=True,
+                          errors="replace")
+    name = log or os.path.basename(command[0])
+    with open(os.path.join(case, "log." + name), "w") as file:
+        file.write(done.stdout)
+    return done.returncode, done.stdout
+
+
+def must(case, *command, log=None):
+    """Run a program that this test depends on."""
+    status, text = run(case, *command, log=log)
+    if status:
+        print(f"FAIL {case}_{os.path.basename(command[0])}:"
+              f" {complaint(text)}", flush=True)
+        raise SystemExit(1)
+    return text
+
+
+def complaint(text):
+    """What a program that stopped has said last, on one line."""
+    at = text.find("FOAM FATAL")
+    lines = text[at:].split("\n") if at >= 0 else text.split("\n")[-6:]
+    return " ".join(" ".join(lines[:8]).split())[:300]
+
+
+# ------------------------------------------------------------------- writing
+
+def write_foam(case, path, body, kind="dictionary"):
+    full = os.path.join(case, path)
+    os.makedirs(os.path.dirname(full), exist_ok=True)
+    with open(full, "w") as file:
+        file.write("FoamFile\n{\n    version 2.0;\n    format ascii;\n"
+                   f"    class {kind};\n    object {os.path.basename(path)};\n"
+                   "}\n\n" + body + "\n")
+
+
+def entries(settings):
+    return "\n".join(f"{key} {value};" for key, value in settings.items())
+
+
+def write_field(case, name, values, boundary, time="0"):
+    """A volume field; values is a constant, or one row per cell."""
+    dimensions, kind = {
+        "p": ("[1 -1 -2 0 0 0 0]", "Scalar"),
+        "T": ("[0 0 0 1 0 0 0]", "Scalar"),
+        "U": ("[0 1 -1 0 0 0 0]", "Vector")}[name]
+
+    def number(v):
+        return (repr(float(v)) if np.ndim(v) == 0
+                else "(" + " ".join(repr(float(x)) for x in v) + ")")
+
+    values = np.asarray(values, float)
+    if values.ndim == (kind == "Vector"):
+        internal = "uniform " + number(values)
+    else:
+        internal = (f"nonuniform List<{kind.lower()}>\n{len(values)}\n(\n"
+                    + "\n".join(number(v) for v in values) + "\n)")
+    write_foam(
+        case, f"{time}/{name}",
+        f"dimensions {dimensions};\ninternalField {internal};\n"
+        "boundaryField\n{\n" + "\n".join(
+            f"    {patch} {{ {text} }}" for patch, text in boundary.items())
+        + "\n}", f"vol{kind}Field")
+
+
+SIDES = {   # corner numbers of blockMesh's hex
+    "xMin": "(0 4 7 3)", "xMax": "(1 2 6 5)", "yMin": "(0 1 5 4)",
+    "yMax": "(3 7 6 2)", "zMin": "(0 3 2 1)", "zMax": "(4 5 6 7)"}
+
+
+def write_block(case, corners, cells, types, grading="(1 1 1)"):
+    """A mesh of one block. types: side -> patch type; sides not named are
+    empty. A side of type 'cyclic' is joined to the opposite one. Cells are
+    numbered with x fastest."""
+    patches = []
+    for side, face in SIDES.items():
+        kind = types.get(side, "empty")
+        more = ""
+        if kind == "cyclic":
+            other = side[0] + ("Max" if side.endswith("Min") else "Min")
+            more = f" neighbourPatch {other};"
+        patches.append(f"{side} {{ type {kind};{more} faces ({face}); }}")
+    write_foam(
+        case, "system/blockMeshDict",
+        "scale 1;\nvertices ("
+        + " ".join("(" + " ".join(repr(float(x)) for x in c) + ")"
+                   for c in corners)
+        + f");\nblocks (hex (0 1 2 3 4 5 6 7) ({' '.join(map(str, cells))})"
+        f" simpleGrading {grading});\nedges ();\nboundary\n(\n"
+        + "\n".join(patches) + "\n);")
+
+
+def box(lengths, start=(0, 0, 0)):
+    """Corners of a box for write_block."""
+    a, b = np.asarray(start, float), np.add(start, lengths)
+    return [(x, y, z) for z in (a[2], b[2])
+            for x, y in ((a[0], a[1]), (b[0], a[1]), (b[0], b[1]),
+                         (a[0], b[1]))]
+
+
+HCONST = f"Cp {GAMMA*R_GAS/(GAMMA - 1)!r}; Hf 0;"
+
+
+def write_case(case, control, gas, flux="HLLC", limiter="vanAlbada",
+               thermo="hConst", thermodynamics=HCONST):
+    """Everything of a gas case but mesh and fields."""
+    settings = {
+        "application": "rhoCentralParcelFoam", "startFrom": "latestTime",
+        "startTime": 0, "stopAt": "endTime", "writeControl": "runTime",
+        "writeFormat": "binary", "writePrecision": 16, "timePrecision": 10,
+        "timeFormat": "general", "runTimeModifiable": "no"}
+    settings.update(control)
+    write_foam(case, "system/controlDict", entries(settings))
+    write_foam(
+        case, "system/fvSchemes",
+        f"fluxScheme {flux};\ninterpolationSchemes\n{{\n    default linear;\n"
+        f"    reconstruct {limiter};\n}}\nddtSchemes {{ default Euler; }}\n"
+        "gradSchemes { default Gauss linear; }\n"
+        "divSchemes { default none; }\nlaplacianSchemes { default none; }\n"
+        "snGradSchemes { default corrected; }")
+    write_foam(case, "system/fvSolution",
+               "highSpeedGas\n{\n" + entries(gas) + "\n}")
+    write_foam(
+        case, "constant/thermophysicalProperties",
+        "thermoType\n{\n    type hePsiThermo; mixture pureMixture;\n"
+        f"    transport sutherland; thermo {thermo};\n"
+        "    equationOfState perfectGas; specie specie;\n"
+        "    energy sensibleInternalEnergy;\n}\nmixture\n{\n"
+        f"    specie {{ molWeight {MOL_WEIGHT!r}; }}\n"
+        f"    thermodynamics {{ {thermodynamics} }}\n"
+        "    transport { As 1.458e-06; Ts 110.4; }\n}")
+
+
+def edit(case, path, old, new):
+    """Replace a text that must be there."""
+    full = os.path.join(case, path)
+    with open(full) as file:
+        text = file.read()
+    if old not in text:
+        raise RuntimeError(f"{path} has no {old!r}")
+    with open(full, "w") as file:
+        file.write(text.replace(old, new))
+
+
+def copy_case(source, case):
+    shutil.copytree(source, case)
+    return case
+
+
+def decompose(case, n=(2, 1, 1)):
+    count = int(np.prod(n))
+    write_foam(case, "system/decomposeParDict",
+               f"numberOfSubdomains {count};\nmethod simple;\n"
+               f"simpleCoeffs {{ n ({' '.join(map(str, n))}); "
+               "delta 0.001; }")
+    must(case, "decomposePar", "-force")
+
+
+def solve(case, ranks=1):
+    """Run the solver; its log."""
+    command = ["rhoCentralParcelFoam"]
+    if ranks > 1:
+        command = ["mpirun", "--oversubscribe", "-np", str(ranks), *command,
+                   "-parallel"]
+    return must(case, *command, log="rhoCentralParcelFoam")
+
+
+# ------------------------------------------------------------------- reading
+
+def read_field(path):
+    """Internal field of a volume field file, one row per cell; a uniform
+    field gives a single value."""
+    with open(path, "rb") as file:
+        data = file.read()
+    vector = re.search(rb"class\s+volVectorField", data) is not None
+    width = 3 if vector else 1
+    head = re.search(rb"internalField\s+nonuniform\s+List<\w+>\s+(\d+)\s*\(",
+                     data)
+    if head is None:
+        head = re.search(rb"internalField\s+uniform\s+\(?([^;)]*)", data)
+        return np.array(head.group(1).split(), float).squeeze()
+    n = int(head.group(1))
+    if re.search(rb"format\s+binary", data):
+        values = np.frombuffer(data, float, n*width, head.end())
+    else:
+        text = data[head.end():].replace(b"(", b" ").replace(b")", b" ")
+        values = np.array(text.split(None, n*width)[:n*width], float)
+    return values.reshape(n, 3) if vector else values
+
+
+def times_of(case):
+    names = [d for d in os.listdir(case)
+             if re.fullmatch(r"[0-9][0-9.e+-]*", d)]
+    return sorted(names, key=float)
+
+
+def last_fields(case, names="p T U rho", time=None):
+    time = time or times_of(case)[-1]
+    return [read_field(os.path.join(case, time, n)) for n in names.split()]
+
+
+def same_bits(case, other, time, names="p T U rho"):
+    """Names of the fields that are not the same to the last bit."""
+    return [n for n in names.split()
+            if not np.array_equal(
+                read_field(os.path.join(case, time, n)),
+                read_field(os.path.join(other, time, n)))]
