@@ -219,6 +219,7 @@ void Foam::gasEquations::setSchemes()
     robustFlux_ = selectFlux("Kurganov", nDim, closure_.thermallyPerfect());
     sensesShocks_ = fluxName != "Kurganov";
     shocksStay_ = false;
+    roughShocks_ = false;
     shocked_.assign(geometry_.nFaces(), 0);
 
     if (!flux_)
@@ -846,6 +847,10 @@ void Foam::gasEquations::innerFluxes()
 
         if (shockedBlock)
         {
+            if (roughShocks_)
+            {
+                firstOrder_(block, n, nVar);
+            }
             replaceFluxes(block, n, shock);
         }
         if (troubledBlock)

@@ -236,6 +236,7 @@ void Foam::highSpeedGas::marchToSteadyState()
     scalar Co = min(scalar(1), maxCo_);
     scalar best = GREAT;
     label bestIteration = 0;
+    label setbacks = 0;
 
     scalar imbalance = GREAT;
     label iteration = 0;
@@ -257,18 +258,22 @@ void Foam::highSpeedGas::marchToSteadyState()
         iteration++;
 
         imbalance = equations_->imbalance();
-        if (imbalance < 1e-2)
-        {
-            equations_->holdShocks();
-        }
         if (imbalance < 0.7*best)
         {
             best = imbalance;
             bestIteration = iteration;
         }
-        else if (iteration - bestIteration >= patience && largestCo > 1)
+        else if (iteration - bestIteration >= patience)
         {
-            largestCo = max(scalar(1), 0.5*min(Co, largestCo));
+            setbacks++;
+            equations_->holdShocks();
+            if (setbacks == 3)
+            {
+                Info<< "Gas: taking the shocks to first order, so that they"
+                    << " come to rest" << endl;
+                equations_->roughenShocks();
+            }
+            largestCo = max(min(maxCo_, scalar(1)), 0.5*min(Co, largestCo));
             bestIteration = iteration;
         }
         if (iteration % reportEvery_ == 0)
@@ -325,6 +330,12 @@ bool Foam::highSpeedGas::solve()
         }
     }
     publish();
+
+    // Go on from what is written, so that a restart goes the same way
+    if (mesh_.time().writeTime())
+    {
+        equations_->readFields();
+    }
 
     cpuTime_ += mesh_.time().elapsedCpuTime() - start;
     return true;
