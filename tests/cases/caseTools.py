@@ -43,6 +43,9 @@ def must(case, *command, log=None):
 def complaint(text):
     """What a program that stopped has said last, on one line."""
     at = text.find("FOAM FATAL")
+    if at < 0 and "sigFpe" in text:
+        frames = re.findall(r"#(?:[3-9]|1\d)\s+(Foam::[\w:]+)", text)
+        return "floating-point exception in " + ", ".join(frames[:5])
     lines = text[at:].split("\n") if at >= 0 else text.split("\n")[-6:]
     return " ".join(" ".join(lines[:8]).split())[:300]
 

@@ -1,0 +1,224 @@
+"""Table of bad edits; stands in a folder with the prepared case 'good'."""
+
+import os
+import re
+import shutil
+
+from caseTools import complaint, copy_case, edit, run, verdict, write_foam
+
+SOLUTION, SCHEMES = "system/fvSolution", "system/fvSchemes"
+THERMO = "constant/thermophysicalProperties"
+FLUXES = ["Kurganov", "SLAU2", "AUSMPlusUp", "HLLC"]
+MODES = ["transient", "steady", "frozen"]
+
+
+def gas(**settings):
+    """A new highSpeedGas block."""
+    def change(case):
+        body = " ".join(f"{k} {v};" for k, v in settings.items())
+        write_foam(case, SOLUTION, f"highSpeedGas {{ {body} }}")
+    return change
+
+
+def replace(path, old, new):
+    return lambda case: edit(case, path, old, new)
+
+
+def remove(path):
+    return lambda case: os.remove(os.path.join(case, path))
+
+
+def frozen_without(field):
+    def change(case):
+        gas(mode="frozen")(case)
+        os.remove(os.path.join(case, "0", field))
+    return change
+
+
+def without_patch(case):
+    with open(os.path.join(case, "0/p")) as file:
+        text = file.read()
+    with open(os.path.join(case, "0/p"), "w") as file:
+        file.write(re.sub(r"\n\s*outlet\s*\{[^}]*\}", "", text))
+
+
+def several_gases(case):
+    write_foam(case, THERMO, """
+thermoType
+{
+    type hePsiThermo; mixture reactingMixture; transport const;
+    thermo hConst; energy sensibleEnthalpy; equationOfState perfectGas;
+    specie specie;
+}
+inertSpecie N2;
+chemistryReader foamChemistryReader;
+foamChemistryFile "$FOAM_CASE/constant/reactions";
+foamChemistryThermoFile "$FOAM_CASE/constant/gases";
+""")
+    write_foam(case, "constant/reactions",
+               "species (N2 O2);\nreactions {}")
+    write_foam(case, "constant/gases", "".join(f"""
+{name}
+{{
+    specie {{ molWeight {weight}; }}
+    thermodynamics {{ Cp 1000; Hf 0; }}
+    transport {{ mu 1.8e-5; Pr 0.7; }}
+}}""" for name, weight in (("N2", 28), ("O2", 32))))
+    write_foam(case, "0/Ydefault", """
+dimensions [0 0 0 0 0 0 0];
+internalField uniform 0.5;
+boundaryField
+{
+    symmetry { type symmetryPlane; }
+    frontAndBack { type empty; }
+    ".*" { type zeroGradient; }
+}""", "volScalarField")
+
+
+def dense(state):
+    """A liquid's equation of state."""
+    def change(case):
+        body = {
+            "rhoConst": ("hConst", "const", "Cp 4180; Hf 0;",
+                         "mu 1e-3; Pr 7;", "equationOfState { rho 1000; }"),
+            "icoPolynomial": (
+                "hPolynomial", "polynomial",
+                "Hf 0; Sf 0; CpCoeffs<8> (4180 0 0 0 0 0 0 0);",
+                "muCoeffs<8> (1e-3 0 0 0 0 0 0 0);"
+                " kappaCoeffs<8> (0.6 0 0 0 0 0 0 0);",
+                "equationOfState { rhoCoeffs<8> (1000 0 0 0 0 0 0 0); }")}
+        thermo, transport, heat, coeffs, extra = body[state]
+        write_foam(case, THERMO, f"""
+thermoType
+{{
+    type heRhoThermo; mixture pureMixture; transport {transport};
+    thermo {thermo}; equationOfState {state}; specie specie;
+    energy sensibleEnthalpy;
+}}
+mixture
+{{
+    specie {{ molWeight 18; }}
+    thermodynamics {{ {heat} }}
+    transport {{ {coeffs} }}
+    {extra}
+}}""")
+    return change
+
+
+RAKE = "constant/rake50Properties"
+SAND = "constant/sand50Properties"
+
+# Name, change, texts that the message must hold
+TABLE = [
+    ("fluxScheme", replace(SCHEMES, "HLLC", "Roe"),
+     ["fluxScheme", "Roe", *FLUXES, "fvSchemes"]),
+    ("limiter", replace(SCHEMES, "vanAlbada", "vanAlbeda"),
+     ["reconstruct", "vanAlbeda", "vanAlbada", "vanLeer", "Minmod"]),
+    ("mode", gas(mode="stationary"), ["mode", "stationary", *MODES]),
+    ("scheme", gas(mode="steady", scheme="RK4"),
+     ["scheme", "RK4", "RK3", "implicit"]),
+    ("implicitInTime", gas(mode="transient", scheme="implicit"),
+     ["scheme", "implicit", "transient", "RK3"]),
+    ("misspelt", gas(mode="steady", maxCourant=0.5),
+     ["maxCourant", "maxCo", "residual"]),
+    ("maxCo_zero", gas(scheme="RK3", maxCo=0), ["maxCo is 0;", "(0, 1]"]),
+    ("maxCo_negative", gas(scheme="RK3", maxCo=-1),
+     ["maxCo is -1;", "(0, 1]"]),
+    ("maxCo_two", gas(scheme="RK3", maxCo=2), ["maxCo is 2;", "(0, 1]"]),
+    ("maxCo_implicit", gas(mode="steady", maxCo=0), ["maxCo is 0;", "1e9]"]),
+    ("maxCo_word", gas(maxCo="large"), ["maxCo", "large", "fvSolution"]),
+    ("residual_zero", gas(mode="steady", residual=0),
+     ["residual is 0;", "(0, 1)"]),
+    ("residual_two", gas(mode="steady", residual=2),
+     ["residual is 2;", "(0, 1)"]),
+    ("maxIterations", gas(mode="steady", maxIterations=0),
+     ["maxIterations is 0;", ">= 1"]),
+    ("reportEvery", gas(mode="steady", reportEvery=0),
+     ["reportEvery is 0;", ">= 1"]),
+    ("rhoConst", dense("rhoConst"),
+     ["equationOfState", "rhoConst", "perfectGas", "thermophysical"]),
+    ("icoPolynomial", dense("icoPolynomial"),
+     ["equationOfState", "icoPolynomial", "perfectGas"]),
+    ("reactingMixture", several_gases,
+     ["mixture reactingMixture", "pureMixture"]),
+    ("noSpecificHeat", replace(THERMO, "Cp          1004.675", "Cp 200"),
+     ["Cp", "> 0", "thermophysicalProperties"]),
+    ("negativeT", replace("0/T", "uniform 223.25", "uniform -223.25"),
+     ["-223.25", "emperature"]),
+    ("zeroP", replace("0/p", "uniform 26500", "uniform 0"),
+     ["p = 0", "positive"]),
+    ("negativeBoundaryT", replace("0/T", "value $internalField",
+                                  "value uniform -10"),
+     ["T", "-10", "freestream"]),
+    ("missingP", remove("0/p"), ["/0/p"]),
+    ("patchWithoutField", without_patch, ["outlet", "0/p"]),
+    ("frozenWithoutU", frozen_without("U"), ["/0/U"]),
+    ("frozenWithoutT", frozen_without("T"), ["/0/T"]),
+    ("cloudTwice", replace("constant/parcelClouds", "(rake50)",
+                           "(rake50 rake50)"),
+     ["clouds", "rake50", "parcelClouds"]),
+    ("cloudWithoutProperties", replace("constant/parcelClouds", "(rake50)",
+                                       "(dust)"), ["constant/dustProperties"]),
+    ("cloudType", lambda case: edit(
+        case, RAKE, '#include "sandCloud"',
+        'type basicSpinningCloud;\n#include "sandCloud"'),
+     ["basicSpinningCloud", "basicKinematicCloud"]),
+    ("particleForce", replace("constant/sandCloud", "hendersonDrag;",
+                              "hendersenDrag;"),
+     ["hendersenDrag", "hendersonDrag", "sphereDrag"]),
+    ("TwOverT", replace("constant/sandCloud", "hendersonDrag;",
+                        "hendersonDrag { TwOverT -1; }"),
+     ["'TwOverT', value -1", "(0, infinity)"]),
+    ("volumeFraction", replace(SAND, "1e-5", "0.2"),
+     ["'volumeFraction', value 0.2", "(0, "]),
+    ("diameter_stream", replace(SAND, "50e-6", "0"),
+     ["'diameter', value 0,", "(0, infinity)"]),
+    ("diameter_rake", replace(RAKE, "50e-6", "0"),
+     ["'diameter', value 0,", "(0, infinity)"]),
+    ("injectionPatch", replace(SAND, "(freestream)", "(nowhere)"),
+     ["patches", "nowhere", "freestream", "cylinder"]),
+    ("impactPatch", replace("constant/sandCloud",
+                            "patches     (cylinder)", "patches (nowhere)"),
+     ["patches", "nowhere", "freestream", "cylinder"]),
+]
+
+
+def trial(name, change):
+    # A folder whose name is no word of the table: messages hold the path
+    case = copy_case("good", "trial")
+    clouds = "sand50" if change and name in (
+        "volumeFraction", "diameter_stream", "injectionPatch") else "rake50"
+    write_foam(case, "constant/parcelClouds", f"clouds ({clouds});")
+    edit(case, "system/controlDict", "endTime         2e-4", "endTime 2e-7")
+    if change:
+        change(case)
+    status, text = run(case, "rhoCentralParcelFoam")
+    shutil.rmtree(case)
+    return status, text
+
+
+# The case itself must be good, with a short march
+for name in "good_rake50", "volumeFraction":
+    status, text = trial(name, None if name == "good_rake50"
+                         else replace(SOLUTION, "residual        1e-4",
+                                      "maxIterations 1"))
+    verdict("good_" + name.replace("good_", ""),
+            status == 0 and "\nEnd" in text, complaint(text)
+            if status else "the unspoilt case runs")
+
+for name, change, words in TABLE:
+    status, text = trial(name, change)
+    at = text.find("FOAM FATAL")
+    message = text[at:].split("From function")[0]
+    missing = [w for w in words if w not in message]
+    if status == 0:
+        reason = "accepted"
+    elif at < 0:
+        reason = "died without FOAM FATAL: " + complaint(text)
+    elif "\nTime = " in text[:at]:
+        reason = "refused after the first time step: " + complaint(text)
+    elif missing:
+        reason = f"the message lacks {missing}: " + complaint(text)
+    else:
+        reason = ""
+    verdict(name, not reason, reason or "refused")
