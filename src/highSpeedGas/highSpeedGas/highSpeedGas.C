@@ -4,6 +4,7 @@
 
 #include "highSpeedGas.H"
 #include "ImplicitGaussSeidel.H"
+#include "localIOdictionary.H"
 
 const Foam::Enum<Foam::highSpeedGas::modeType>
 Foam::highSpeedGas::modeNames
@@ -38,7 +39,14 @@ void Foam::highSpeedGas::readSettings()
         }
     }
 
-    mode_ = modeNames.getOrDefault("mode", d, modeType::transient);
+    const word mode(d.getOrDefault<word>("mode", "transient"));
+    if (!modeNames.found(mode))
+    {
+        FatalIOErrorInFunction(d)
+            << "Entry mode is " << mode << nl
+            << "Valid modes: " << modeNames.sortedToc() << exit(FatalIOError);
+    }
+    mode_ = modeNames[mode];
 
     const bool steady = mode_ == modeType::steady;
     const wordList schemes
@@ -94,10 +102,68 @@ void Foam::highSpeedGas::readSettings()
 }
 
 
+Foam::autoPtr<Foam::fluidThermo> Foam::highSpeedGas::readThermo
+(
+    const fvMesh& mesh
+)
+{
+    for (const word name : {"p", "T"})
+    {
+        checkPositive(mesh, name);
+    }
+    return fluidThermo::New(mesh);
+}
+
+
+void Foam::highSpeedGas::checkPositive(const fvMesh& mesh, const word& name)
+{
+    const localIOdictionary file
+    (
+        IOobject
+        (
+            name,
+            mesh.time().timeName(),
+            mesh,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE,
+            false
+        ),
+        volScalarField::typeName
+    );
+
+    auto check = [&](const dictionary& d, const word& key, const label size)
+    {
+        const scalarField values(key, d, size);
+        if (size && !(min(values) > 0))
+        {
+            FatalIOErrorInFunction(d)
+                << "Entry " << key << " of " << name << " in " << d.dictName()
+                << " holds " << name << " = " << min(values)
+                << "; pressure and temperature must be positive (> 0)"
+                << exit(FatalIOError);
+        }
+    };
+
+    check(file, "internalField", mesh.nCells());
+
+    const dictionary& boundary = file.subDict("boundaryField");
+    for (const fvPatch& patch : mesh.boundary())
+    {
+        const dictionary* d =
+            boundary.findDict(patch.name(), keyType::REGEX);
+        const word type(d ? d->getOrDefault<word>("type", "") : "");
+        if (type == "fixedValue")
+        {
+            check(*d, "value", patch.size());
+        }
+    }
+}
+
+
 Foam::highSpeedGas::highSpeedGas(const fvMesh& mesh)
 :
     mesh_(mesh),
-    thermo_(fluidThermo::New(mesh)),
+    thermo_(readThermo(mesh)),
     U_
     (
         IOobject
@@ -266,12 +332,17 @@ void Foam::highSpeedGas::marchToSteadyState()
         else if (iteration - bestIteration >= patience)
         {
             setbacks++;
-            equations_->holdShocks();
             if (setbacks == 3)
             {
+                // What was held before may bear the marks of the unrest
                 Info<< "Gas: taking the shocks to first order, so that they"
                     << " come to rest" << endl;
                 equations_->roughenShocks();
+                equations_->holdShocks(false);
+            }
+            else
+            {
+                equations_->holdShocks(true);
             }
             largestCo = max(min(maxCo_, scalar(1)), 0.5*min(Co, largestCo));
             bestIteration = iteration;
