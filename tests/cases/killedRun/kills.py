@@ -1,0 +1,213 @@
+"""A shock tube that writes every step, killed again and again."""
+
+import os
+import re
+import shutil
+import subprocess
+import time
+
+import numpy as np
+from caseTools import (R_GAS, box, complaint, copy_case, decompose,
+                       last_fields, must, run, same_bits, solve, times_of,
+                       verdict, write_block, write_case, write_field)
+
+N, STEPS, DT = 4000, 60, 1e-7
+
+
+def tube(case):
+    write_case(case, {"endTime": STEPS*DT, "deltaT": DT, "writeInterval": DT},
+               {"mode": "transient"})
+    write_block(case, box((1, 0.01, 0.01)), (N, 1, 1),
+                {"xMin": "patch", "xMax": "patch"})
+    zero = {s + e: "type empty;" for s in "yz" for e in ("Min", "Max")}
+    zero.update(xMin="type zeroGradient;", xMax="type zeroGradient;")
+    x = (np.arange(N) + 0.5)/N
+    p, rho = np.where(x < 0.5, 1e5, 1e4), np.where(x < 0.5, 1, 0.125)
+    write_field(case, "p", p, zero)
+    write_field(case, "T", p/(rho*R_GAS), zero)
+    write_field(case, "U", (0, 0, 0), zero)
+    must(case, "blockMesh")
+    return case
+
+
+def marked(case, name, mark):
+    return os.path.exists(os.path.join(case, name, "uniform", mark))
+
+
+def unfinished(case):
+    return [t for t in times_of(case) if marked(case, t, "incomplete")]
+
+
+def first_time(text):
+    found = re.search(r"^Time = (\S+)", text, re.M)
+    return found and found.group(1)
+
+
+def skips(text):
+    """The directory a run has refused and the one it started from."""
+    found = re.search(r"Time directory (\S+) was not written to its end:"
+                      r" starting from (\S+) instead", text)
+    return found.groups() if found else None
+
+
+def agrees(case, name):
+    """The end of a run against that of the straight run."""
+    end = times_of("straight")[-1]
+    if times_of(case)[-1] != end:
+        return verdict(name, False, f"ended at {times_of(case)[-1]}")
+    d = max(abs(a/b - 1).max() for a, b in
+            zip(last_fields(case, "p T rho"), last_fields("straight",
+                                                          "p T rho")))
+    bad = same_bits("straight", case, end)
+    return verdict(name, not bad, f"largest difference from the straight run"
+                   f" {d:.1e}; not the same to the last bit: "
+                   + (", ".join(bad) or "nothing"))
+
+
+tube("straight")
+solve("straight")
+all_times = times_of("straight")
+verdict("marks", all(marked("straight", t, "complete")
+                     and not marked("straight", t, "incomplete")
+                     for t in all_times[1:]),
+        "every directory of a finished run is marked complete")
+
+# Killed as soon as a chosen directory is marked, plus nothing, 1, 2 .. 5 ms:
+# inside a write or between two. What a kill before the mark leaves is made by
+# hand below.
+tube("killed")
+hits = 0
+for kill in range(6):
+    before = times_of("killed")
+    latest = before[-1]
+    wanted = all_times[min(all_times.index(latest) + 5, len(all_times) - 1)]
+    stopped = unfinished("killed")
+    log = open(f"killed/log.{kill}", "w")
+    process = subprocess.Popen(["rhoCentralParcelFoam"], cwd="killed",
+                               stdout=log, stderr=subprocess.STDOUT)
+    until = time.time() + 60
+    while (process.poll() is None and time.time() < until
+           and not any(marked("killed", wanted, mark)
+                       for mark in ("incomplete", "complete"))):
+        pass
+    time.sleep(1e-3*kill)
+    process.kill()
+    process.wait()
+    with open(log.name) as file:
+        text = file.read()
+    killed = process.returncode == -9
+    complete = [t for t in before if t not in stopped]
+    expected = (latest, complete[-1]) if latest in stopped else None
+    hits += latest in stopped
+    good = (killed and skips(text) == expected and "FOAM FATAL" not in text
+            and first_time(text)
+            == all_times[all_times.index(complete[-1]) + 1])
+    verdict(f"kill_{kill}", good,
+            f"started from {complete[-1]}, skipped"
+            f" {expected[0] if expected else 'nothing'}" if good else
+            f"killed: {killed}; skipped {skips(text)}, expected {expected};"
+            f" first time {first_time(text)}; {complaint(text)}")
+latest = times_of("killed")[-1]
+hits += marked("killed", latest, "incomplete")
+status, text = run("killed", "rhoCentralParcelFoam")
+left = unfinished("killed")
+verdict("afterKills", status == 0 and not left,
+        (complaint(text) if status else
+         f"{hits} of 6 kills have hit a write; still marked unfinished: "
+         + (", ".join(left) or "nothing")))
+verdict("sameTimes", times_of("killed") == all_times,
+        "directories in only one of killed and straight run: "
+        + (", ".join(sorted(set(times_of("killed")) ^ set(all_times)))
+           or "none"))
+agrees("killed", "killedRunSame")
+
+
+# ------------------------------------------- directories made up by this test
+
+def cut(case, until):
+    """The straight run as if it had ended at a step."""
+    copy_case("straight", case)
+    for t in all_times[until + 1:]:
+        shutil.rmtree(os.path.join(case, t))
+    return case
+
+
+def unfinish(folder, *truncated):
+    os.rename(f"{folder}/uniform/complete", f"{folder}/uniform/incomplete")
+    for name in truncated:
+        size = os.path.getsize(f"{folder}/{name}")
+        os.truncate(f"{folder}/{name}", size//2)
+
+
+def restarts(name, case, refused, start, ranks=1):
+    command = ["rhoCentralParcelFoam"]
+    if ranks > 1:
+        command = ["mpirun", "--oversubscribe", "-np", str(ranks), *command,
+                   "-parallel"]
+    status, text = run(case, *command)
+    expected = (all_times[refused], all_times[start]) if refused else None
+    good = (status == 0 and skips(text) == expected
+            and first_time(text) == all_times[start + 1])
+    return verdict(name, good, "skipped " + (expected or ["nothing"])[0]
+                   if good else f"skipped {skips(text)}, expected {expected};"
+                   f" {complaint(text)}")
+
+
+cut("half", 50)
+unfinish(f"half/{all_times[50]}", "p")
+if restarts("truncatedPressure", "half", 50, 49):
+    left = unfinished("half")
+    verdict("skippedIsWrittenAgain", not left,
+            "still marked unfinished at the end: "
+            + (", ".join(left) or "nothing"))
+    agrees("half", "truncatedPressureSame")
+
+cut("two", 50)
+unfinish(f"two/{all_times[50]}", "p", "U")
+unfinish(f"two/{all_times[49]}", "T")
+restarts("twoUnfinished", "two", 50, 48)
+
+cut("clock", 50)
+unfinish(f"clock/{all_times[50]}", "uniform/time")
+restarts("truncatedClock", "clock", 50, 49)
+
+cut("state", 50)
+unfinish(f"state/{all_times[50]}")
+for name in "p", "T", "U", "rho", "Ma", "uniform/time":
+    os.remove(f"state/{all_times[50]}/{name}")
+restarts("onlyTheMark", "state", 50, 49)
+
+# Killed between making the directory and marking it
+cut("empty", 50)
+shutil.rmtree(f"empty/{all_times[50]}")
+os.makedirs(f"empty/{all_times[50]}/uniform")
+restarts("emptyDirectory", "empty", 50, 49)
+
+# Prepared by hand: fields and no marks
+cut("hand", 50)
+shutil.rmtree(f"hand/{all_times[50]}/uniform")
+restarts("noMarks", "hand", None, 50)
+
+cut("none", 0)
+os.makedirs("none/0/uniform")
+open("none/0/uniform/incomplete", "w").close()
+status, text = run("none", "rhoCentralParcelFoam")
+verdict("nothingComplete", status != 0 and "FOAM FATAL" in text
+        and "no complete one" in text and "Time = " not in text,
+        complaint(text))
+
+# Unfinished on one of two ranks only
+tube("ranks")
+decompose("ranks")
+solve("ranks", 2)
+for t in all_times[51:]:
+    for rank in 0, 1:
+        shutil.rmtree(f"ranks/processor{rank}/{t}")
+unfinish(f"ranks/processor1/{all_times[50]}", "p")
+if restarts("oneRankUnfinished", "ranks", 50, 49, 2):
+    must("ranks", "reconstructPar", "-latestTime")
+    d = max(abs(a/b - 1).max() for a, b in
+            zip(last_fields("ranks", "p T rho"),
+                last_fields("straight", "p T rho")))
+    verdict("oneRankUnfinishedSame", d < 1e-11,
+            f"differs from one rank by {d:.1e}, tolerance 1e-11")
