@@ -1,0 +1,349 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "scatteringSampler.H"
+#include "philoxLanes.H"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+
+namespace
+{
+
+//- Uniform numbers of one particle for one purpose
+struct draws
+{
+    double u0, u1, u2;
+
+    draws
+    (
+        std::uint64_t seed,
+        std::uint32_t block,
+        std::uint32_t purpose,
+        std::int64_t particle
+    )
+    {
+        std::uint64_t w0, w1, w2, w3;
+        impact::philoxLane
+        (
+            seed, block, purpose, std::uint64_t(particle), w0, w1, w2, w3
+        );
+        impact::threeUnits(w0, w1, w2, w3, u0, u1, u2);
+    }
+};
+
+} // End anonymous namespace
+
+
+struct impact::scatteringSampler::workspace
+{
+    reliefPiece piece;
+    std::int64_t pieceIdentity = -1;
+
+    //- Velocities after the last impact, by particle of the block
+    double Vx[blockSize], Vy[blockSize], Vz[blockSize];
+    double spinEnergy[blockSize];
+    unsigned char profileBlock[blockSize];
+
+    workspace(const relief& r, std::uint64_t seed)
+    :
+        piece(r, seed)
+    {}
+};
+
+
+impact::scatteringSampler::scatteringSampler(const setup& s)
+:
+    setup_(s),
+    flat_(relief::flat(1e3*s.body.radius())),
+    visit_(setup_.body, s.law, s.treatment, s.maxImpacts)
+{
+    auto check = [](bool ok, const char* name, double value, const char* range)
+    {
+        if (!ok)
+        {
+            std::ostringstream text;
+            text<< name << ' ' << value << ": valid range " << range;
+            throw std::invalid_argument(text.str());
+        }
+    };
+    check
+    (
+        s.incidence > 0 && s.incidence <= 90,
+        "incidence", s.incidence, "(0, 90] (degrees)"
+    );
+    check(s.speed > 0 && s.speed < 1e100, "speed", s.speed, "(0, inf) (m/s)");
+    for (int i = 0; i < 3; ++i)
+    {
+        check
+        (
+            std::fabs(s.spin[i]) < 1e100,
+            "spin", s.spin[i], "finite (rad/s)"
+        );
+    }
+    check(s.maxImpacts > 0, "maxImpacts", s.maxImpacts, "> 0");
+
+    double sine, cosine;
+    sinCosTurns(s.incidence/360, sine, cosine);
+    if (s.incidence == 90)
+    {
+        cosine = 0;
+    }
+    V1_ = {s.speed*cosine, -s.speed*sine, 0};
+
+    if (setup_.wall && setup_.wall->type() == relief::reliefType::rough)
+    {
+        // The descent from the highest crest to the deepest pit, and as much
+        // again to leave and to choose the start
+        const double descent =
+            (2*s.wall->top() + s.body.radius())*cosine/sine
+          + 4*s.body.radius();
+        stretch_ = int
+        (
+            std::min(512., 6 + descent/s.wall->meanSpacing())
+        );
+        perPiece_ = std::max(1, std::min(64, 512/stretch_));
+        while (blockSize % perPiece_)
+        {
+            --perPiece_;
+        }
+    }
+}
+
+
+impact::scatteringSampler::~scatteringSampler()
+{}
+
+
+impact::scatteringStatistics
+impact::scatteringSampler::emptyStatistics() const
+{
+    // A sphere leaves at tan(alpha2) = (7/5) normal tan(alpha1): the angles
+    // are summed relative to that
+    const double reference =
+        arcTan2(-1.4*setup_.law.normal()*V1_.y, V1_.x + 1e-300);
+    return scatteringStatistics
+    (
+        setup_.binWidth, reference, setup_.wall && setup_.sharedRelief
+    );
+}
+
+
+impact::bodyState impact::scatteringSampler::arrival
+(
+    std::int64_t i,
+    reliefPiece& piece,
+    std::int64_t& pieceIdentity,
+    std::int64_t& hint
+) const
+{
+    const setup& s = setup_;
+    bodyState b;
+    const draws o(s.seed, 0, drawPurpose::orientation, i);
+    if (s.orientation == orientationLaw::isotropic)
+    {
+        orient<orientationLaw::isotropic>
+            (o.u0, o.u1, o.u2, b.rotation.ex, b.rotation.ey);
+    }
+    else
+    {
+        orient<orientationLaw::uniformEuler>
+            (o.u0, o.u1, o.u2, b.rotation.ex, b.rotation.ey);
+    }
+    b.V = V1_;
+    b.rotation.omega =
+        s.spin.x*b.rotation.ex + s.spin.y*b.rotation.ey
+      + s.spin.z*b.rotation.ez();
+
+    const relief& wall = piece.model();
+    b.y = wall.top() + s.body.radius();
+    if (wall.type() == relief::reliefType::periodic)
+    {
+        // Neither does a smooth wall depend on where it is met
+        const draws p(s.seed, 0, drawPurpose::position, i);
+        b.x = s.wall ? p.u0*wall.period() : 0.5*wall.period();
+        hint = s.wall
+          ? std::int64_t(p.u0*double(wall.table().size())) : 0;
+        return b;
+    }
+
+    const std::int64_t identity = i/perPiece_;
+    if (identity != pieceIdentity)
+    {
+        piece.start(std::uint64_t(identity), perPiece_*stretch_);
+        pieceIdentity = identity;
+    }
+    // A uniformly random place on the wall lies in a long interval more
+    // often than in a short one: intervals of the stretch are accepted in
+    // proportion to their length
+    hint = (i - identity*perPiece_)*stretch_;
+    const double longest = wall.meanSpacing() + 3*wall.sigmaSpacing();
+    for (std::uint32_t attempt = 0; ; ++attempt, ++hint)
+    {
+        const draws p(s.seed, attempt, drawPurpose::position, i);
+        const relief::interval& in = piece.at(hint);
+        const double length = in.x1 - in.x0;
+        if (p.u0*longest < length)
+        {
+            b.x = in.x0 + p.u1*length;
+            return b;
+        }
+    }
+}
+
+
+void impact::scatteringSampler::sampleSmooth
+(
+    std::int64_t first,
+    int n,
+    workspace& w,
+    scatteringStatistics& result
+) const
+{
+    sampleRough(first, n, w, result);
+}
+
+
+void impact::scatteringSampler::sampleRough
+(
+    std::int64_t first,
+    int n,
+    workspace& w,
+    scatteringStatistics& result
+) const
+{
+    const vector3& J = setup_.body.inertia();
+    std::int64_t impacts = 0, micro = 0, into = 0, second = 0;
+    std::int64_t pulling = 0, gaining = 0, capped = 0;
+    for (int i = 0; i < n; ++i)
+    {
+        std::int64_t hint = 0;
+        const bodyState b =
+            arrival(first + i, w.piece, w.pieceIdentity, hint);
+        const visitResult r = visit_.visit(b, w.piece, hint);
+        w.Vx[i] = r.state.V.x;
+        w.Vy[i] = r.state.V.y;
+        w.Vz[i] = r.state.V.z;
+        const vector3& spin = r.state.rotation.omega;
+        w.spinEnergy[i] = dot(multiply(J, spin), spin);
+        impacts += r.impacts;
+        micro += r.microImpacts;
+        into += r.intoWall;
+        second += r.second;
+        pulling += r.pulling;
+        gaining += r.gaining;
+        capped += r.capped;
+        if (setup_.wall && setup_.sharedRelief)
+        {
+            w.profileBlock[i] = (unsigned char)
+            (
+                b.x/setup_.wall->period()
+               *scatteringStatistics::profileBlocks
+            );
+        }
+    }
+    typedef scatteringStatistics S;
+    result.count(S::impacts, impacts);
+    result.count(S::microImpacts, micro);
+    result.count(S::intoWall, into);
+    result.count(S::secondImpact, second);
+    result.count(S::pulling, pulling);
+    result.count(S::gaining, gaining);
+    result.count(S::capped, capped);
+}
+
+
+void impact::scatteringSampler::sampleBlock
+(
+    std::int64_t first,
+    int n,
+    workspace& w,
+    scatteringStatistics& result
+) const
+{
+    if (setup_.wall)
+    {
+        sampleRough(first, n, w, result);
+    }
+    else
+    {
+        sampleSmooth(first, n, w, result);
+    }
+    double translation = 0, rotation = 0;
+    for (int i = 0; i < n; ++i)
+    {
+        translation +=
+            w.Vx[i]*w.Vx[i] + w.Vy[i]*w.Vy[i] + w.Vz[i]*w.Vz[i];
+        rotation += w.spinEnergy[i];
+    }
+    const double unit = 1/(setup_.speed*setup_.speed);
+    result.addBlock(scatteringStatistics::translational, unit*translation);
+    result.addBlock(scatteringStatistics::rotational, unit*rotation);
+    result.addDirections
+    (
+        n, w.Vx, w.Vy, w.Vz,
+        setup_.wall && setup_.sharedRelief ? w.profileBlock : nullptr
+    );
+}
+
+
+void impact::scatteringSampler::sample
+(
+    std::int64_t from,
+    std::int64_t to,
+    int proc,
+    int nProcs,
+    int threads,
+    const std::atomic<bool>& stop,
+    std::atomic<std::int64_t>& done,
+    scatteringStatistics& result
+) const
+{
+    const std::int64_t firstBlock = from/blockSize;
+    const std::int64_t lastBlock = (to + blockSize - 1)/blockSize;
+    std::atomic<std::int64_t> next(firstBlock + proc);
+
+    auto work = [&](scatteringStatistics& own)
+    {
+        const std::unique_ptr<workspace> w
+        (
+            new workspace(setup_.wall ? *setup_.wall : flat_, setup_.seed)
+        );
+        while (!stop.load(std::memory_order_relaxed))
+        {
+            const std::int64_t block = next.fetch_add(nProcs);
+            if (block >= lastBlock)
+            {
+                break;
+            }
+            const std::int64_t first = block*blockSize;
+            const int n = int(std::min<std::int64_t>(blockSize, to - first));
+            sampleBlock(first, n, *w, own);
+            done += n;
+        }
+    };
+
+    if (threads <= 1)
+    {
+        work(result);
+        return;
+    }
+    std::vector<scatteringStatistics> own(threads, emptyStatistics());
+    std::vector<std::thread> pool;
+    for (int t = 0; t < threads; ++t)
+    {
+        pool.emplace_back([&, t] { work(own[t]); });
+    }
+    for (std::thread& t : pool)
+    {
+        t.join();
+    }
+    for (const scatteringStatistics& s : own)
+    {
+        result.add(s);
+    }
+}
