@@ -196,6 +196,25 @@ impact::bodyState impact::scatteringSampler::arrival
 }
 
 
+std::vector<impact::visitResult> impact::scatteringSampler::visits
+(
+    std::int64_t from,
+    int n
+) const
+{
+    reliefPiece piece(setup_.wall ? *setup_.wall : flat_, setup_.seed);
+    std::int64_t identity = -1;
+    std::vector<visitResult> results;
+    for (int i = 0; i < n; ++i)
+    {
+        std::int64_t hint = 0;
+        const bodyState b = arrival(from + i, piece, identity, hint);
+        results.push_back(visit_.visit(b, piece, hint));
+    }
+    return results;
+}
+
+
 void impact::scatteringSampler::sampleSmooth
 (
     std::int64_t first,
