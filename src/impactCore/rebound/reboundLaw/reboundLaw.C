@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "reboundLaw.H"
+#include "elementary.H"
 
 #include <algorithm>
 #include <sstream>
@@ -98,212 +99,179 @@ impact::vector3 impact::reboundLaw::frictionImpulse
     // The normal impulse p is the independent variable:
     //     dVc/dp = K (n - mu s),  dW/dp = n.Vc,  s = sliding direction
     const double mu = friction_;
+    const double e2 = normal_*normal_;
     auto K = [&](const vector3& S) { return response(inertia, r, S); };
     auto tangent = [&](const vector3& v) { return v - dot(v, n)*n; };
 
     const double speed0 = mag(Vc0);
-    const double still = 1e-11*speed0;
     const vector3 Kn = K(n);
     vector3 Vc = Vc0;
     vector3 S = {0, 0, 0};
     double work = 0;            // of the normal force so far
     double compression = 0;     // its value when the approach stopped
-    bool restituting = dot(Vc, n) >= 0;
+    bool restituting = false;
 
-    // Impulse direction, per unit of normal impulse, of a contact at rest
-    auto restDirection = [&](bool& sticks)
+    // Follow a constant direction of the impulse to the end of the impact
+    auto finish = [&](const vector3& direction)
     {
-        // Tangential impulse T that keeps the contact at rest:
-        // tangent(K(n + T)) = 0, two equations in the plane
-        vector3 e1 = std::fabs(n.x) < 0.6
-            ? cross(n, vector3{1, 0, 0}) : cross(n, vector3{0, 1, 0});
-        e1 = (1/mag(e1))*e1;
-        const vector3 e2 = cross(n, e1);
-        const vector3 K1 = K(e1), K2 = K(e2);
-        const double a = dot(e1, K1), b = dot(e1, K2), d = dot(e2, K2);
-        const double f1 = -dot(e1, Kn), f2 = -dot(e2, Kn);
-        const double det = a*d - b*b;
-        const double t1 = (d*f1 - b*f2)/det;
-        const double t2 = (a*f2 - b*f1)/det;
-        sticks = std::sqrt(t1*t1 + t2*t2) <= mu;
-        if (sticks)
+        const double a = dot(K(direction), n);
+        double v = dot(Vc, n);
+        double rest = 0;        // work still to be given back
+        if (restituting)
         {
-            return n + t1*e1 + t2*e2;
+            rest = compression*(1 - e2) - work;
         }
-        // Slip starts along the direction s with tangent(K(n - mu s))
-        // parallel to s: Newton on the angle, from the direction of slip
-        // without friction. The residual has one root of outward slip.
-        const double start = std::atan2(dot(e2, Kn), dot(e1, Kn));
-        double best = start;
-        auto residual = [&](double angle, double& outward)
+        else
         {
-            const double c = std::cos(angle), s = std::sin(angle);
-            const vector3 along = c*e1 + s*e2;
-            const vector3 v = Kn - mu*K(along);
-            outward = c*dot(e1, v) + s*dot(e2, v);
-            return -s*dot(e1, v) + c*dot(e2, v);
+            const double p = -v/a;
+            S = S + p*direction;
+            rest = -e2*(work + 0.5*v*p);
+            v = 0;
+        }
+        // v p + a p^2/2 = rest
+        S = S
+          + ((std::sqrt(std::max(0., v*v + 2*a*rest)) - v)/a)*direction;
+        return S;
+    };
+    if (mu == 0)
+    {
+        return finish(n);
+    }
+
+    // Direction of the impulse, per unit of its normal part, of a contact
+    // that does not slide at the moment
+    auto restDirection = [&]
+    {
+        vector3 t1 = std::fabs(n.x) < 0.6
+            ? cross(n, vector3{1, 0, 0}) : cross(n, vector3{0, 1, 0});
+        t1 = (1/mag(t1))*t1;
+        const vector3 t2 = cross(n, t1);
+
+        // It stays at rest if the cone holds the T of tangent(K(n + T)) = 0
+        const vector3 K1 = K(t1), K2 = K(t2);
+        const double k11 = dot(t1, K1), k12 = dot(t1, K2), k22 = dot(t2, K2);
+        const double f1 = dot(t1, Kn), f2 = dot(t2, Kn);
+        const double det = k11*k22 - k12*k12;
+        const double T1 = (k12*f2 - k22*f1)/det;
+        const double T2 = (k12*f1 - k11*f2)/det;
+        if (T1*T1 + T2*T2 <= mu*mu)
+        {
+            return n + T1*t1 + T2*t2;
+        }
+        // Else it slides off in the direction s that it keeps:
+        // tangent(K(n - mu s)) parallel to s, the root of fastest growth
+        auto turning = [&](double angle, double& growth)
+        {
+            double s, c;
+            sinCos(angle, s, c);
+            const double v1 = f1 - mu*(k11*c + k12*s);
+            const double v2 = f2 - mu*(k12*c + k22*s);
+            growth = c*v1 + s*v2;
+            return c*v2 - s*v1;
         };
-        double outward = 0, largest = -1;
-        const int parts = 90;
-        double last = residual(start, outward);
-        for (int i = 1; i <= parts; ++i)
+        const double pi = 3.141592653589793;
+        const int parts = 64;
+        double best = 0, fastest = -1, growth;
+        double last = turning(0, growth);
+        for (int i = 0; i < parts; ++i)
         {
-            const double high = start + 2*M_PI*i/parts;
-            const double value = residual(high, outward);
+            double lo = 2*pi*i/parts, hi = 2*pi*(i + 1)/parts;
+            const double value = turning(hi, growth);
             if ((last > 0) != (value > 0))
             {
-                double lo = high - 2*M_PI/parts, hi = high;
                 for (int k = 0; k < 52; ++k)
                 {
                     const double mid = 0.5*(lo + hi);
-                    ((residual(mid, outward) > 0) == (last > 0) ? lo : hi)
+                    ((turning(mid, growth) > 0) == (last > 0) ? lo : hi)
                         = mid;
                 }
-                residual(lo, outward);
-                if (outward > largest)
+                turning(lo, growth);
+                if (growth > fastest)
                 {
-                    largest = outward;
+                    fastest = growth;
                     best = lo;
                 }
             }
             last = value;
         }
-        return n - mu*(std::cos(best)*e1 + std::sin(best)*e2);
+        double s, c;
+        sinCos(best, s, c);
+        return n - mu*(c*t1 + s*t2);
     };
 
-    // Follow a constant impulse direction to the end of the impact
-    auto finish = [&](const vector3& direction)
-    {
-        const vector3 k = K(direction);
-        const double a = dot(k, n);
-        double v = dot(Vc, n);
-        if (!restituting)
-        {
-            // Stop the approach: a > 0 in the rest and the slip directions
-            const double p = -v/a;
-            S = S + p*direction;
-            work += v*p + 0.5*a*p*p;
-            v = 0;
-            compression = work;
-        }
-        // v p + a p^2/2 = target
-        const double target =
-            std::max(0., -normal_*normal_*compression
-          - (restituting ? work - compression : 0));
-        S = S + ((std::sqrt(v*v + 2*a*target) - v)/a)*direction;
-    };
-
-    if (mag(tangent(Vc)) <= still || mu == 0)
-    {
-        bool sticks = true;
-        finish(mu == 0 ? n : restDirection(sticks));
-        return S;
-    }
-
-    // Sliding: fourth-order Runge-Kutta in p with steps that turn the
-    // sliding velocity by a small angle at most
-    const double scaleP = speed0/dot(Kn, n);
-    auto rate = [&](const vector3& v)
+    auto direction = [&](const vector3& v)
     {
         const vector3 t = tangent(v);
         const double m = mag(t);
-        return m > 0 ? K(n - (mu/m)*t) : Kn;
+        return m > 0 ? n - (mu/m)*t : n;
     };
+
+    // Sliding: Runge-Kutta of fourth order in p
+    const double unit = speed0/dot(Kn, n);
     for (int step = 0; step < 100000; ++step)
     {
         const vector3 t = tangent(Vc);
         const double slip = mag(t);
-        const double v = dot(Vc, n);
-        const vector3 k1 = rate(Vc);
-        const double acceleration = mag(tangent(k1));
-        const vector3 s = (1/slip)*t;
-        const vector3 across =
-            tangent(k1) - dot(tangent(k1), s)*s;
+        if (slip <= 1e-10*speed0)
+        {
+            return finish(restDirection());
+        }
+        const vector3 d1 = direction(Vc);
+        const vector3 change = tangent(K(d1));
+        const vector3 along = (dot(change, t)/(slip*slip))*t;
 
-        // A step that neither turns nor shortens the slip much, in units of p
-        double p = 0.02*scaleP;
-        if (acceleration > 0)
+        // A step turns the slip by 0.02 at most, and does not reverse it
+        double p = 0.02*unit;
+        p = std::min(p, 0.3*slip/(mag(along) + 1e-300));
+        p = std::min(p, 0.02*slip/(mag(change - along) + 1e-300));
+
+        vector3 dS, next;
+        double dWork = 0;
+        auto advance = [&](double h)
         {
-            p = std::min(p, 0.25*slip/acceleration);
-        }
-        if (mag(across) > 0)
-        {
-            p = std::min(p, 0.02*slip/mag(across));
-        }
-        auto advance = [&](double h, vector3& dS, double& dWork)
-        {
-            const vector3 r2 = rate(Vc + (0.5*h)*k1);
-            const vector3 r3 = rate(Vc + (0.5*h)*r2);
-            const vector3 r4 = rate(Vc + h*r3);
-            const vector3 next =
-                Vc + (h/6)*(k1 + 2*r2 + 2*r3 + r4);
-            // The impulse that makes this change of velocity is recovered
-            // from its own rate n - mu s with the same weights
-            auto dir = [&](const vector3& w)
-            {
-                const vector3 tw = tangent(w);
-                const double m = mag(tw);
-                return m > 0 ? n - (mu/m)*tw : n;
-            };
-            dS = (h/6)
-               *(
-                    dir(Vc) + 2*dir(Vc + (0.5*h)*k1)
-                  + 2*dir(Vc + (0.5*h)*r2) + dir(Vc + h*r3)
-                );
-            dWork = (h/6)
-               *(
-                    v + 4*dot(Vc + (0.5*h)*r2, n) + dot(next, n)
-                );
-            return next;
+            const vector3 d2 = direction(Vc + (0.5*h)*K(d1));
+            const vector3 middle = Vc + (0.5*h)*K(d2);
+            const vector3 d3 = direction(middle);
+            const vector3 d4 = direction(Vc + h*K(d3));
+            dS = (h/6)*(d1 + 2*d2 + 2*d3 + d4);
+            next = Vc + K(dS);
+            dWork = (h/6)*(dot(Vc, n) + 4*dot(middle, n) + dot(next, n));
         };
-
-        vector3 dS;
-        double dWork;
-        vector3 next = advance(p, dS, dWork);
-
-        // The end of compression, then of restitution, inside this step?
-        auto past = [&](const vector3& vNext, double dw)
+        // Does compression, or restitution, end within the step?
+        auto past = [&]
         {
             return restituting
-              ? work + dw - compression
-             >= -normal_*normal_*compression
-              : dot(vNext, n) >= 0;
+              ? work + dWork >= compression*(1 - e2)
+              : dot(next, n) >= 0;
         };
-        if (past(next, dWork))
+        advance(p);
+        const bool ends = past();
+        if (ends)
         {
             double lo = 0, hi = p;
-            for (int k = 0; k < 60 && hi - lo > 1e-16*scaleP; ++k)
+            for (int k = 0; k < 54; ++k)
             {
                 const double mid = 0.5*(lo + hi);
-                next = advance(mid, dS, dWork);
-                (past(next, dWork) ? hi : lo) = mid;
+                advance(mid);
+                (past() ? hi : lo) = mid;
             }
-            next = advance(hi, dS, dWork);
-            S = S + dS;
-            work += dWork;
-            Vc = next;
-            if (restituting)
-            {
-                return S;
-            }
+            advance(hi);
+        }
+        S = S + dS;
+        work += dWork;
+        Vc = next;
+        if (ends && (restituting || normal_ == 0))
+        {
+            return S;
+        }
+        if (ends)
+        {
             restituting = true;
             compression = work;
-            if (normal_ == 0)
-            {
-                return S;
-            }
         }
-        else
+        else if (restituting && dot(Vc, n) < 0)
         {
-            S = S + dS;
-            work += dWork;
-            Vc = next;
-        }
-        if (mag(tangent(Vc)) <= 1e-9*speed0)
-        {
-            bool sticks;
-            finish(restDirection(sticks));
-            return S;
+            restituting = false;    // pressed on again while it slides
         }
     }
     return S;

@@ -52,24 +52,18 @@ interval makeInterval
     s.crest = std::max(0., -std::min(m0, m1));
 
     // Highest point inside: where the slope falls through zero
-    if (s.c1 > 0 || slope1 < 0)
+    const double disc = s.c2*s.c2 - 3*s.c3*s.c1;
+    if (disc > 0)
     {
-        const double disc = s.c2*s.c2 - 3*s.c3*s.c1;
-        if (disc > 0)
+        // Of the two forms of the root, the one without cancellation
+        const double root = std::sqrt(disc);
+        const double num = s.c2 > 0 ? -s.c2 - root : s.c1;
+        const double den = s.c2 > 0 ? 3*s.c3 : root - s.c2;
+        const double u = den != 0 ? num/den : -1;
+        if (u > 0 && u < h)
         {
-            const double den = std::sqrt(disc) - s.c2;
-            if (den > 0)
-            {
-                const double u = s.c1/den;
-                if (u > 0 && u < h)
-                {
-                    s.top = std::max
-                    (
-                        s.top,
-                        s.c0 + u*(s.c1 + u*(s.c2 + u*s.c3))
-                    );
-                }
-            }
+            s.top =
+                std::max(s.top, s.c0 + u*(s.c1 + u*(s.c2 + u*s.c3)));
         }
     }
     // Steepest point inside: the inflection

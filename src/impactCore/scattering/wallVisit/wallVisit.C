@@ -245,17 +245,21 @@ class ellipseShadow
             double rate;
             const double e = excess(s, p, rate);
             (e > 0 ? hi : lo) = p;
-            double next = rate > 0 ? p - e/rate : lo - 1;
-            if (!(next > lo && next < hi))
+            if (rate > 0)
             {
-                next = 0.5*(lo + hi);
+                // An error of p left here comes back squared
+                const double step = e/rate;
+                if (std::fabs(step) <= 1e-9*(1 + std::fabs(p)))
+                {
+                    return p - step;
+                }
+                p -= step;
+                if (p > lo && p < hi)
+                {
+                    continue;
+                }
             }
-            // The gap is stationary here: an error of p counts squared
-            if (std::fabs(next - p) <= 1e-9*(1 + std::fabs(p)))
-            {
-                return next;
-            }
-            p = next;
+            p = 0.5*(lo + hi);
         }
         return p;
     }
@@ -757,6 +761,9 @@ impact::visitResult impact::wallVisit::visitWith
     visitResult out = {};
     const double small = 1e-3*mag(state.V);
     const vector3& J = body_->inertia();
+    const vector3& spin = state.rotation.omega;
+    out.energyOnArrival =
+        0.5*(dot(state.V, state.V) + dot(multiply(J, spin), spin));
     bool touching = false;
     bool lost = false;
     int impacts = 0;
