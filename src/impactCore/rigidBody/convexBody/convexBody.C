@@ -401,6 +401,21 @@ void impact::convexBody::setPolyhedron(surface s)
 }
 
 
+bool impact::convexBody::isBox() const
+{
+    bool box = vertices_.size() == 8;
+    for (const vector3& v : vertices_)
+    {
+        for (int i = 0; i < 3; ++i)
+        {
+            box = box
+             && std::fabs(std::fabs(v[i]) - semiAxes_[i]) < 1e-14*radius_;
+        }
+    }
+    return box;
+}
+
+
 impact::vector3 impact::convexBody::support(const vector3& n) const
 {
     if (shape_ == shapeType::ellipsoid)

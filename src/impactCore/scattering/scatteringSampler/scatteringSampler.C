@@ -36,6 +36,69 @@ struct draws
     }
 };
 
+
+//- Move the flights that go on to the front, return their number
+int keepInFlight(int n, impact::smoothFlights& f)
+{
+    int keep[impact::smoothBatch];
+    int m = 0;
+    for (int i = 0; i < n; ++i)
+    {
+        keep[m] = i;
+        m += f.status[i] == 0;
+    }
+    if (m == n)
+    {
+        return m;
+    }
+    typedef impact::smoothFlights::lane lane;
+    lane* const fields[] =
+    {
+        &f.ey[0], &f.ey[1], &f.ey[2], &f.w[0], &f.w[1], &f.w[2],
+        &f.axisL[0], &f.axisL[1], &f.axisL[2], &f.rateL, &f.rateAxis,
+        &f.y, &f.Vy, &f.t, &f.gap, &f.tau, &f.reach, &f.least, &f.status
+    };
+    for (lane* field : fields)
+    {
+        double* x = *field;
+        for (int i = 0; i < m; ++i)
+        {
+            x[i] = x[keep[i]];
+        }
+    }
+    for (int i = 0; i < m; ++i)
+    {
+        f.id[i] = f.id[keep[i]];
+    }
+    return m;
+}
+
+
+//- Copy state and contact point of n lanes; a null list is 0, 1, 2, ...
+void copyLanes
+(
+    int n,
+    const int* from,
+    const int* to,
+    const impact::smoothLanes& a,
+    impact::smoothLanes& b
+)
+{
+    for (int c = 0; c < 3; ++c)
+    {
+        for (int i = 0; i < n; ++i)
+        {
+            const int p = from ? from[i] : i;
+            const int q = to ? to[i] : i;
+            b.ex[c][q] = a.ex[c][p];
+            b.ey[c][q] = a.ey[c][p];
+            b.w[c][q] = a.w[c][p];
+            b.V[c][q] = a.V[c][p];
+            b.r[c][q] = a.r[c][p];
+        }
+    }
+}
+
 } // End anonymous namespace
 
 
@@ -47,6 +110,8 @@ struct impact::scatteringSampler::workspace
     //- Velocities after the last impact, by particle of the block
     double Vx[blockSize], Vy[blockSize], Vz[blockSize];
     double spinEnergy[blockSize];
+    smoothLanes lanes, struck;
+    smoothFlights flights;
     unsigned char profileBlock[blockSize];
 
     workspace(const relief& r, std::uint64_t seed)
@@ -94,6 +159,26 @@ impact::scatteringSampler::scatteringSampler(const setup& s)
         cosine = 0;
     }
     V1_ = {s.speed*cosine, -s.speed*sine, 0};
+
+    const convexBody& body = setup_.body;
+    smooth_.ellipsoid = body.shape() == convexBody::shapeType::ellipsoid;
+    for (int i = 0; i < 3; ++i)
+    {
+        smooth_.a[i] = body.semiAxes()[i];
+        smooth_.J[i] = body.inertia()[i];
+        for (const vector3& v : body.vertices())
+        {
+            vertices_.push_back(v[i]);
+        }
+    }
+    smooth_.axis = body.symmetryAxis();
+    smooth_.radius = body.radius();
+    smooth_.nVertices = int(body.vertices().size());
+    const bool simple = smooth_.ellipsoid || body.isBox();
+    smooth_.vertices = simple ? nullptr : vertices_.data();
+    smooth_.normal = s.law.normal();
+    smooth_.tangential = s.law.tangential();
+    vectorFlights_ = simple && body.symmetryAxis() >= 0;
 
     if (setup_.wall && setup_.wall->type() == relief::reliefType::rough)
     {
@@ -223,7 +308,185 @@ void impact::scatteringSampler::sampleSmooth
     scatteringStatistics& result
 ) const
 {
-    sampleRough(first, n, w, result);
+    if (setup_.law.law() != reboundLaw::lawType::restitution)
+    {
+        sampleRough(first, n, w, result);
+        return;
+    }
+    typedef scatteringStatistics S;
+    const bool decide =
+        setup_.treatment == wallVisit::treatmentType::firstImpact;
+    const double small = 1e-3*mag(V1_);
+    const double V[3] = {V1_.x, V1_.y, V1_.z};
+    const double spin[3] = {setup_.spin.x, setup_.spin.y, setup_.spin.z};
+    const vector3& J = setup_.body.inertia();
+    std::int64_t impacts = 0, micro = 0, into = 0, second = 0, capped = 0;
+    std::int64_t pulling = 0, gaining = 0;
+    smoothLanes& l = w.lanes;
+    smoothFlights& f = w.flights;
+
+    auto countImpacts = [&](const smoothLanes& lanes, int m)
+    {
+        int large = 0;
+        double pulls = 0, gains = 0;
+        for (int i = 0; i < m; ++i)
+        {
+            large += lanes.approach[i] > small;
+            pulls += lanes.pulling[i];
+            gains += lanes.gaining[i];
+        }
+        impacts += large;
+        micro += m - large;
+        pulling += std::int64_t(pulls);
+        gaining += std::int64_t(gains);
+    };
+
+    // The rest of one visit outside the kernels, from the state after
+    // 'number' impacts
+    auto finish = [&](int i, int number)
+    {
+        bodyState b;
+        b.rotation.ex = {l.ex[0][i], l.ex[1][i], l.ex[2][i]};
+        b.rotation.ey = {l.ey[0][i], l.ey[1][i], l.ey[2][i]};
+        b.rotation.omega = {l.w[0][i], l.w[1][i], l.w[2][i]};
+        b.V = {l.V[0][i], l.V[1][i], l.V[2][i]};
+        b.x = 0.5*flat_.period();
+        b.y =
+           -(
+                l.r[0][i]*l.ey[0][i] + l.r[1][i]*l.ey[1][i]
+              + l.r[2][i]*l.ey[2][i]
+            );
+        const visitResult r = visit_.resume(b, number, w.piece, 0);
+        impacts += r.impacts;
+        micro += r.microImpacts;
+        pulling += r.pulling;
+        gaining += r.gaining;
+        capped += r.capped;
+        second += number == 1 && r.second;
+        l.V[0][i] = r.state.V.x;
+        l.V[1][i] = r.state.V.y;
+        l.V[2][i] = r.state.V.z;
+        l.w[0][i] = r.state.rotation.omega.x;
+        l.w[1][i] = r.state.rotation.omega.y;
+        l.w[2][i] = r.state.rotation.omega.z;
+    };
+
+    for (int from = 0; from < n; from += smoothBatch)
+    {
+        const int m = std::min(smoothBatch, n - from);
+        smoothArrive
+        (
+            setup_.orientation == orientationLaw::isotropic, setup_.seed,
+            first + from, m, V, spin, smooth_, l
+        );
+        smoothImpact(m, smooth_, l);
+        countImpacts(l, m);
+        for (int i = 0; i < m; ++i)
+        {
+            into += l.V[1][i] <= 0;
+        }
+        smoothLaunch(m, smooth_, l, f);
+
+        if (!vectorFlights_)
+        {
+            for (int i = 0; i < m; ++i)
+            {
+                if (f.status[i] == 0)
+                {
+                    finish(i, 1);
+                }
+            }
+        }
+        else
+        {
+            // Ids in f are places in 'here', the lanes of this round;
+            // 'place' leads from those to the batch
+            int place[smoothBatch];
+            for (int i = 0; i < m; ++i)
+            {
+                place[i] = i;
+            }
+            int inFlight = keepInFlight(m, f);
+            for (int round = 1; inFlight > 0; ++round)
+            {
+                int nStruck = 0;
+                int struckId[smoothBatch];
+                double struckTime[smoothBatch];
+                for (int pass = 0; inFlight > 0; ++pass)
+                {
+                    smoothAdvance(inFlight, smooth_, decide, f);
+                    int ended = 0;
+                    for (int i = 0; i < inFlight; ++i)
+                    {
+                        ended += f.status[i] != 0;
+                    }
+                    if (pass > 100)
+                    {
+                        // Hardly ever: left to the general search
+                        for (int i = 0; i < inFlight; ++i)
+                        {
+                            if (f.status[i] == 0)
+                            {
+                                finish(place[f.id[i]], round);
+                                f.status[i] = 1;
+                            }
+                        }
+                        ended = inFlight;
+                    }
+                    if (8*ended >= inFlight)
+                    {
+                        for (int i = 0; i < inFlight; ++i)
+                        {
+                            if (f.status[i] == 2)
+                            {
+                                struckId[nStruck] = place[f.id[i]];
+                                struckTime[nStruck++] = f.t[i] + f.tau[i];
+                            }
+                        }
+                        inFlight = keepInFlight(inFlight, f);
+                    }
+                }
+                if (round == 1)
+                {
+                    second += nStruck;
+                }
+                if (decide || nStruck == 0)
+                {
+                    break;
+                }
+                if (round + 1 > setup_.maxImpacts)
+                {
+                    capped += nStruck;
+                    break;
+                }
+                smoothLanes& s = w.struck;
+                copyLanes(nStruck, struckId, nullptr, l, s);
+                smoothTurn(nStruck, smooth_, struckTime, s);
+                smoothImpact(nStruck, smooth_, s);
+                countImpacts(s, nStruck);
+                copyLanes(nStruck, nullptr, struckId, s, l);
+                smoothLaunch(nStruck, smooth_, s, f);
+                std::copy_n(struckId, nStruck, place);
+                inFlight = keepInFlight(nStruck, f);
+            }
+        }
+        for (int i = 0; i < m; ++i)
+        {
+            w.Vx[from + i] = l.V[0][i];
+            w.Vy[from + i] = l.V[1][i];
+            w.Vz[from + i] = l.V[2][i];
+            w.spinEnergy[from + i] =
+                J.x*l.w[0][i]*l.w[0][i] + J.y*l.w[1][i]*l.w[1][i]
+              + J.z*l.w[2][i]*l.w[2][i];
+        }
+    }
+    result.count(S::impacts, impacts);
+    result.count(S::microImpacts, micro);
+    result.count(S::intoWall, into);
+    result.count(S::secondImpact, second);
+    result.count(S::pulling, pulling);
+    result.count(S::gaining, gaining);
+    result.count(S::capped, capped);
 }
 
 

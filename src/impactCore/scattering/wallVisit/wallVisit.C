@@ -755,7 +755,8 @@ impact::visitResult impact::wallVisit::visitWith
 (
     bodyState state,
     reliefPiece& piece,
-    std::int64_t hint
+    std::int64_t hint,
+    int impacts
 ) const
 {
     visitResult out = {};
@@ -764,9 +765,8 @@ impact::visitResult impact::wallVisit::visitWith
     const vector3& spin = state.rotation.omega;
     out.energyOnArrival =
         0.5*(dot(state.V, state.V) + dot(multiply(J, spin), spin));
-    bool touching = false;
+    bool touching = impacts > 0;
     bool lost = false;
-    int impacts = 0;
     for (;;)
     {
         freeRotation rotation(*body_, state.rotation);
@@ -812,7 +812,7 @@ impact::visitResult impact::wallVisit::visitWith
         state.rotation = at;
         if (record.approachSpeed > 0)
         {
-            out.second = impacts > 0;
+            out.second = out.second || impacts > 0;
             const vector3 V2 = V + record.dV;
             state.V = {dot(V2, at.ex), dot(V2, at.ey), dot(V2, ez)};
             state.rotation.omega = at.omega + record.dOmega;
@@ -839,8 +839,22 @@ impact::visitResult impact::wallVisit::visit
 ) const
 {
     return body_->shape() == convexBody::shapeType::ellipsoid
-      ? visitWith<ellipseShadow>(state, piece, hint)
-      : visitWith<polygonShadow>(state, piece, hint);
+      ? visitWith<ellipseShadow>(state, piece, hint, 0)
+      : visitWith<polygonShadow>(state, piece, hint, 0);
+}
+
+
+impact::visitResult impact::wallVisit::resume
+(
+    const bodyState& state,
+    int impacts,
+    reliefPiece& piece,
+    std::int64_t hint
+) const
+{
+    return body_->shape() == convexBody::shapeType::ellipsoid
+      ? visitWith<ellipseShadow>(state, piece, hint, impacts)
+      : visitWith<polygonShadow>(state, piece, hint, impacts);
 }
 
 
