@@ -205,18 +205,27 @@ double impact::freeRotation::maxOmega() const
 }
 
 
+double impact::freeRotation::skewness(const convexBody& body)
+{
+    const vector3& J = body.inertia();
+    double k = 0;
+    for (int i = 0; i < 3; ++i)
+    {
+        k = std::max
+        (
+            k,
+            std::fabs((J[(i + 1) % 3] - J[(i + 2) % 3])/J[i])
+        );
+    }
+    // The products of two components of omega make a vector no longer than
+    // omega^2/sqrt(3)
+    return 0.57736*k;
+}
+
+
 double impact::freeRotation::maxAcceleration() const
 {
     // |omega x (omega x r)| + |domega/dt x r|
-    const vector3& J = body_->inertia();
     const double w = maxOmega();
-    double dw = 0;
-    for (int i = 0; i < 3; ++i)
-    {
-        const double k = (J[(i + 1) % 3] - J[(i + 2) % 3])/J[i];
-        dw = std::max(dw, std::fabs(k));
-    }
-    // The products of two components of omega make a vector no longer than
-    // w^2/sqrt(3)
-    return body_->radius()*w*w*(1 + 0.57736*dw);
+    return body_->radius()*w*w*(1 + skewness(*body_));
 }

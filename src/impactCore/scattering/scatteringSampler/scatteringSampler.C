@@ -37,10 +37,37 @@ struct draws
 };
 
 
+//- Numbers of the lanes that may come back; with 'decide' less those that
+//  surely do, which are counted
+int mayReturn
+(
+    int n,
+    const impact::smoothBody& body,
+    const impact::smoothLanes& lanes,
+    bool decide,
+    int* id,
+    int& surely
+)
+{
+    double may[impact::smoothBatch];
+    impact::smoothCull(n, body, lanes, may);
+    surely = 0;
+    int m = 0;
+    for (int i = 0; i < n; ++i)
+    {
+        const bool sure = decide && may[i] == 2;
+        id[m] = i;
+        m += may[i] > 0 && !sure;
+        surely += sure;
+    }
+    return m;
+}
+
+
 //- Move the flights that go on to the front, return their number
 int keepInFlight(int n, impact::smoothFlights& f)
 {
-    int keep[impact::smoothBatch];
+    int keep[impact::smoothBatch + 1];
     int m = 0;
     for (int i = 0; i < n; ++i)
     {
@@ -97,6 +124,10 @@ void copyLanes
             b.r[c][q] = a.r[c][p];
         }
     }
+    for (int i = 0; i < n; ++i)
+    {
+        b.approach[to ? to[i] : i] = a.approach[from ? from[i] : i];
+    }
 }
 
 } // End anonymous namespace
@@ -110,7 +141,7 @@ struct impact::scatteringSampler::workspace
     //- Velocities after the last impact, by particle of the block
     double Vx[blockSize], Vy[blockSize], Vz[blockSize];
     double spinEnergy[blockSize];
-    smoothLanes lanes, struck;
+    smoothLanes lanes, struck, start;
     smoothFlights flights;
     unsigned char profileBlock[blockSize];
 
@@ -173,6 +204,17 @@ impact::scatteringSampler::scatteringSampler(const setup& s)
     }
     smooth_.axis = body.symmetryAxis();
     smooth_.radius = body.radius();
+
+    // The support h(m) of the body along the turning normal m has
+    // h'' >= -(h - rho) |m'|^2 - |r_t| |m''_t|: rho the least radius of
+    // curvature, r_t the offset of the contact point from the normal
+    const double R = body.radius();
+    const vector3& semi = body.semiAxes();
+    const double least = std::min({semi.x, semi.y, semi.z});
+    const double rho = smooth_.ellipsoid ? least*least/R : 0;
+    smooth_.offset = smooth_.ellipsoid ? R - least : R;
+    smooth_.bend = 1.0001
+       *(R - rho + smooth_.offset*freeRotation::skewness(body));
     smooth_.nVertices = int(body.vertices().size());
     const bool simple = smooth_.ellipsoid || body.isBox();
     smooth_.vertices = simple ? nullptr : vertices_.data();
@@ -325,20 +367,15 @@ void impact::scatteringSampler::sampleSmooth
     smoothLanes& l = w.lanes;
     smoothFlights& f = w.flights;
 
-    auto countImpacts = [&](const smoothLanes& lanes, int m)
+    auto tally = [&](const smoothLanes& lanes, int m)
     {
-        int large = 0;
-        double pulls = 0, gains = 0;
-        for (int i = 0; i < m; ++i)
-        {
-            large += lanes.approach[i] > small;
-            pulls += lanes.pulling[i];
-            gains += lanes.gaining[i];
-        }
-        impacts += large;
-        micro += m - large;
-        pulling += std::int64_t(pulls);
-        gaining += std::int64_t(gains);
+        int counts[4];
+        smoothTally(m, small, lanes, counts);
+        impacts += counts[0];
+        micro += m - counts[0];
+        pulling += counts[1];
+        gaining += counts[2];
+        return counts[3];
     };
 
     // The rest of one visit outside the kernels, from the state after
@@ -380,33 +417,25 @@ void impact::scatteringSampler::sampleSmooth
             first + from, m, V, spin, smooth_, l
         );
         smoothImpact(m, smooth_, l);
-        countImpacts(l, m);
-        for (int i = 0; i < m; ++i)
-        {
-            into += l.V[1][i] <= 0;
-        }
-        smoothLaunch(m, smooth_, l, f);
+        into += tally(l, m);
 
+        // Bodies of this round, by place in the batch
+        int place[smoothBatch + 1];
+        int surely = 0;
+        int inFlight = mayReturn(m, smooth_, l, decide, place, surely);
+        second += surely;
         if (!vectorFlights_)
         {
-            for (int i = 0; i < m; ++i)
+            for (int i = 0; i < inFlight; ++i)
             {
-                if (f.status[i] == 0)
-                {
-                    finish(i, 1);
-                }
+                finish(place[i], 1);
             }
         }
         else
         {
-            // Ids in f are places in 'here', the lanes of this round;
-            // 'place' leads from those to the batch
-            int place[smoothBatch];
-            for (int i = 0; i < m; ++i)
-            {
-                place[i] = i;
-            }
-            int inFlight = keepInFlight(m, f);
+            copyLanes(inFlight, place, nullptr, l, w.start);
+            smoothLaunch(inFlight, smooth_, w.start, f);
+            std::copy_n(place, inFlight, f.id);
             for (int round = 1; inFlight > 0; ++round)
             {
                 int nStruck = 0;
@@ -427,19 +456,19 @@ void impact::scatteringSampler::sampleSmooth
                         {
                             if (f.status[i] == 0)
                             {
-                                finish(place[f.id[i]], round);
+                                finish(f.id[i], round);
                                 f.status[i] = 1;
                             }
                         }
                         ended = inFlight;
                     }
-                    if (8*ended >= inFlight)
+                    if (3*ended >= inFlight)
                     {
                         for (int i = 0; i < inFlight; ++i)
                         {
                             if (f.status[i] == 2)
                             {
-                                struckId[nStruck] = place[f.id[i]];
+                                struckId[nStruck] = f.id[i];
                                 struckTime[nStruck++] = f.t[i] + f.tau[i];
                             }
                         }
@@ -463,11 +492,16 @@ void impact::scatteringSampler::sampleSmooth
                 copyLanes(nStruck, struckId, nullptr, l, s);
                 smoothTurn(nStruck, smooth_, struckTime, s);
                 smoothImpact(nStruck, smooth_, s);
-                countImpacts(s, nStruck);
+                tally(s, nStruck);
                 copyLanes(nStruck, nullptr, struckId, s, l);
-                smoothLaunch(nStruck, smooth_, s, f);
-                std::copy_n(struckId, nStruck, place);
-                inFlight = keepInFlight(nStruck, f);
+                inFlight =
+                    mayReturn(nStruck, smooth_, s, false, place, surely);
+                copyLanes(inFlight, place, nullptr, s, w.start);
+                smoothLaunch(inFlight, smooth_, w.start, f);
+                for (int i = 0; i < inFlight; ++i)
+                {
+                    f.id[i] = struckId[place[i]];
+                }
             }
         }
         for (int i = 0; i < m; ++i)

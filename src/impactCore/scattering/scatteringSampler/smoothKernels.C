@@ -14,11 +14,9 @@ namespace
 
 using namespace impact;
 
-#define inlined inline __attribute__((always_inline))
-
 //- Lowest point of the body, and its distance below the centre; m is the
 //  laboratory axis y in body components
-inlined double lowest
+impactInline double lowest
 (
     bool ellipsoid,
     double a0,
@@ -52,7 +50,7 @@ inlined double lowest
 
 
 //- v turned about a unit vector k
-inlined void turn
+impactInline void turn
 (
     double kx,
     double ky,
@@ -76,7 +74,7 @@ inlined void turn
 
 //- v turned about a body axis
 template<int axis>
-inlined void turnAxis(double s, double c, double& vx, double& vy, double& vz)
+impactInline void turnAxis(double s, double c, double& vx, double& vy, double& vz)
 {
     if (axis == 0)
     {
@@ -100,7 +98,7 @@ inlined void turnAxis(double s, double c, double& vx, double& vy, double& vz)
 
 
 template<orientationLaw law>
-inlined void arrive
+impactInline void arrive
 (
     std::uint64_t seed,
     std::int64_t first,
@@ -143,7 +141,7 @@ inlined void arrive
 
 //- Contact points of the lanes
 template<bool ellipsoid>
-inlined void touch(int n, const smoothBody& b, smoothLanes& __restrict__ l)
+impactInline void touch(int n, const smoothBody& b, smoothLanes& __restrict__ l)
 {
     const double a0 = b.a[0], a1 = b.a[1], a2 = b.a[2];
     for (int i = 0; i < n; ++i)
@@ -157,7 +155,7 @@ inlined void touch(int n, const smoothBody& b, smoothLanes& __restrict__ l)
 }
 
 
-inlined void touchVertices
+impactInline void touchVertices
 (
     int n,
     const smoothBody& b,
@@ -188,7 +186,7 @@ inlined void touchVertices
 }
 
 
-inlined void touchAny(int n, const smoothBody& b, smoothLanes& l)
+impactInline void touchAny(int n, const smoothBody& b, smoothLanes& l)
 {
     if (b.ellipsoid)
     {
@@ -206,7 +204,7 @@ inlined void touchAny(int n, const smoothBody& b, smoothLanes& l)
 
 
 template<int axis, bool ellipsoid, bool decide>
-inlined void advance
+impactInline void advance
 (
     int n,
     const smoothBody& b,
@@ -219,7 +217,11 @@ inlined void advance
     for (int i = 0; i < n; ++i)
     {
         const double tau = f.tau[i];
-        const double t1 = f.t[i] + tau;
+        const double before = f.status[i];
+        const bool live = before == 0;
+        const double t0 = f.t[i];
+        const double g0 = f.gap[i];
+        const double t1 = t0 + tau;
         double mx = f.ey[0][i], my = f.ey[1][i], mz = f.ey[2][i];
         double s, c;
         sinCos(-f.rateL[i]*t1, s, c);
@@ -235,23 +237,24 @@ inlined void advance
         // As in wallVisit::search
         const double reach = f.reach[i];
         const double least = f.least[i];
-        const double root0 = std::sqrt(f.gap[i]);
+        const double root0 = std::sqrt(g0);
         const double above = g1 > 0 ? g1 : 0;
         const double root1 = std::sqrt(above);
         const bool pierced = g1 < -tolerance;
         const bool shortest = tau <= least;
         const bool clear =
-            (root0 + root1)*reach > tau || (!pierced && shortest);
-        const bool gone = !pierced && clear && f.Vy[i] > 0 && y1 > R;
+            ((root0 + root1)*reach > tau) | (!pierced & shortest);
+        const bool gone = !pierced & clear & (f.Vy[i] > 0) & (y1 > R);
         if (decide)
         {
-            const bool step = !pierced && clear;
+            const bool step = live & !pierced & clear;
             const double longer = 1.9*reach*root1;
             const double trial =
                 step ? (longer > least ? longer : least) : 0.5*tau;
-            f.status[i] = pierced ? 2. : gone ? 1. : 0.;
-            f.t[i] = step ? t1 : f.t[i];
-            f.gap[i] = step ? above : f.gap[i];
+            const double now = 2*(pierced ? 1. : 0.) + (gone ? 1. : 0.);
+            f.status[i] = live ? now : before;
+            f.t[i] = t0 + (step ? tau : 0.);
+            f.gap[i] = step ? above : g0;
             f.tau[i] = trial > least ? trial : least;
         }
         else
@@ -264,21 +267,20 @@ inlined void advance
             const bool falling = rate1 < 0;
             const double slope = falling ? rate1 : -1;
             const bool strikes =
-                (pierced && shortest)
-             || (!pierced && clear && falling && g1 <= tolerance);
-            const bool step = !pierced && clear && !strikes;
+                (pierced & shortest)
+             | (!pierced & clear & falling & (g1 <= tolerance));
+            const bool step = live & !pierced & clear & !strikes;
 
             // Pierced: Newton's step back, or the chord's, and not beyond
             // what is certain
-            const double g0 = f.gap[i];
             double back = tau - g1/slope;
             const double fall = g0 - g1;
             const double chord = tau*g0/(pierced ? fall : 1);
-            back = falling && back > 0 && back < tau ? back : chord;
+            back = falling & (back > 0) & (back < tau) ? back : chord;
             back = back > 0.01*tau ? back : 0.01*tau;
             const double certain = 0.999*reach*root0;
             const double cut = certain < 0.9*tau ? certain : 0.9*tau;
-            back = back >= reach*root0 && root0 > 0 ? cut : back;
+            back = (back >= reach*root0) & (root0 > 0) ? cut : back;
             back = back < 0.9999999*tau ? back : 0.9999999*tau;
 
             // Uncertain: a shorter step
@@ -288,23 +290,25 @@ inlined void advance
             // Certain: on from there
             double longer = 1.6*reach*root1;
             const double newton = -above/slope;
-            longer = falling && newton < longer ? newton : longer;
+            longer = falling & (newton < longer) ? newton : longer;
             const double lift = falling ? 0 : 0.5*rate1*reach*reach;
             longer = g1 <= tolerance ? lift : longer;
 
             const double trial =
                 pierced ? back : step ? longer : shorter;
-            f.status[i] = strikes ? 2. : gone ? 1. : 0.;
-            f.t[i] = step ? t1 : f.t[i];
+            const double now = 2*(strikes ? 1. : 0.) + (gone ? 1. : 0.);
+            f.status[i] = live ? now : before;
+            f.t[i] = t0 + (step ? tau : 0.);
             f.gap[i] = step ? above : g0;
-            f.tau[i] = strikes ? tau : trial > least ? trial : least;
+            const double next = trial > least ? trial : least;
+            f.tau[i] = strikes | !live ? tau : next;
         }
     }
 }
 
 
 template<bool ellipsoid, bool decide>
-inlined void advanceAxis(int n, const smoothBody& b, smoothFlights& f)
+impactInline void advanceAxis(int n, const smoothBody& b, smoothFlights& f)
 {
     b.axis == 0 ? advance<0, ellipsoid, decide>(n, b, f)
   : b.axis == 1 ? advance<1, ellipsoid, decide>(n, b, f)
@@ -314,7 +318,7 @@ inlined void advanceAxis(int n, const smoothBody& b, smoothFlights& f)
 
 
 template<int axis>
-inlined void turnLanes
+impactInline void turnLanes
 (
     int n,
     const smoothBody& b,
@@ -437,28 +441,80 @@ impactKernel void smoothImpact
 }
 
 
+impactKernel void smoothTally
+(
+    int n,
+    double small,
+    const smoothLanes& __restrict__ l,
+    int* counts
+)
+{
+    int large = 0, pulling = 0, gaining = 0, into = 0;
+    for (int i = 0; i < n; ++i)
+    {
+        large += l.approach[i] > small ? 1 : 0;
+        pulling += l.pulling[i] > 0 ? 1 : 0;
+        gaining += l.gaining[i] > 0 ? 1 : 0;
+        into += l.V[1][i] <= 0 ? 1 : 0;
+    }
+    counts[0] = large;
+    counts[1] = pulling;
+    counts[2] = gaining;
+    counts[3] = into;
+}
+
+
+impactKernel void smoothCull
+(
+    int n,
+    const smoothBody& b,
+    const smoothLanes& __restrict__ l,
+    double* __restrict__ mayReturn
+)
+{
+    const double R = b.radius;
+    const double offset = b.offset;
+    const double bend = b.bend;
+    const double bounce = b.ellipsoid ? b.normal : 0;
+    for (int i = 0; i < n; ++i)
+    {
+        const double wx = l.w[0][i], wy = l.w[1][i], wz = l.w[2][i];
+        const double w2 = wx*wx + wy*wy + wz*wz;
+        const double Vy = l.V[1][i];
+        const double y =
+           -(
+                l.r[0][i]*l.ey[0][i] + l.r[1][i]*l.ey[1][i]
+              + l.r[2][i]*l.ey[2][i]
+            );
+        // Rises faster than any lowest point can sink; or is out of reach
+        // after (R - y)/Vy, before which rise t - bend w^2 t^2/2 > 0 (of an
+        // ellipsoid: another corner of a box may be sinking already)
+        const double rise = bounce*l.approach[i];
+        const bool gone = (Vy > 0)
+          & ((Vy*Vy >= offset*offset*w2)
+          | (2*rise*Vy >= bend*w2*(R - y)));
+        mayReturn[i] = gone ? 0. : Vy > 0 ? 1. : 2.;
+    }
+}
+
+
 impactKernel void smoothLaunch
 (
     int n,
     const smoothBody& b,
-    const smoothLanes& l,
+    const smoothLanes& __restrict__ l,
     smoothFlights& __restrict__ f
 )
 {
     const double J0 = b.J[0], J1 = b.J[1], J2 = b.J[2];
     const double across = b.axis == 0 ? J1 : J0;
     const double along = b.axis == 0 ? J0 : b.axis == 1 ? J1 : J2;
-    const bool sphere = b.axis == 3;
-    const double ratio = sphere ? 0 : 1 - along/across;
-    const double skew = 1 + 0.57736*std::fabs(sphere ? 0 : along/across - 1);
+    const double ratio = b.axis == 3 ? 0 : 1 - along/across;
+    const double along0 = b.axis == 0, along1 = b.axis == 1;
+    const double along2 = b.axis == 2;
     const double R = b.radius;
-
-    // The contact point of an ellipsoid moves no further off the normal
-    // than the difference of the semi-axes: it cannot sink faster
-    const double small01 = b.a[0] < b.a[1] ? b.a[0] : b.a[1];
-    const double small = small01 < b.a[2] ? small01 : b.a[2];
-    const double offset = b.ellipsoid ? R - small : R;
-    const int axis = b.axis;
+    const double bend = b.bend;
+    const double bounce = b.normal;
     for (int i = 0; i < n; ++i)
     {
         const double wx = l.w[0][i], wy = l.w[1][i], wz = l.w[2][i];
@@ -467,13 +523,11 @@ impactKernel void smoothLaunch
         const double L = std::sqrt(Lx*Lx + Ly*Ly + Lz*Lz);
         const double unit = 1/(L > 0 ? L : 1);
         const double mx = l.ey[0][i], my = l.ey[1][i], mz = l.ey[2][i];
-        const double rx = l.r[0][i], ry = l.r[1][i], rz = l.r[2][i];
         const double Vx = l.V[0][i], Vy = l.V[1][i];
-        const double rise = Vy
-          + mx*(wy*rz - wz*ry) + my*(wz*rx - wx*rz) + mz*(wx*ry - wy*rx);
-        const double omega = std::sqrt(w2);
-        const double fastest = std::sqrt(Vx*Vx + Vy*Vy) + omega*R;
-        const double bound = 1.0001*R*w2*skew + 1e-30*fastest*fastest/R;
+        const double rise = bounce*l.approach[i];
+        const double fastest =
+            std::sqrt(Vx*Vx + Vy*Vy) + std::sqrt(w2)*R;
+        const double bound = bend*w2 + 1e-30*fastest*fastest/R;
         const double safe = bound > 0 ? bound : 1;
         const double least = 1e-10*R/(fastest > 0 ? fastest : 1);
         f.ey[0][i] = mx;
@@ -486,19 +540,16 @@ impactKernel void smoothLaunch
         f.axisL[1][i] = unit*Ly;
         f.axisL[2][i] = unit*Lz;
         f.rateL[i] = L/across;
-        const double spin = axis == 0 ? wx : axis == 1 ? wy : wz;
-        f.rateAxis[i] = ratio*spin;
-        f.y[i] = -(rx*mx + ry*my + rz*mz);
+        f.rateAxis[i] = ratio*(along0*wx + along1*wy + along2*wz);
+        f.y[i] = -(l.r[0][i]*mx + l.r[1][i]*my + l.r[2][i]*mz);
         f.Vy[i] = Vy;
         f.t[i] = 0;
         f.gap[i] = 0;
-        f.rate[i] = rise;
         f.reach[i] = std::sqrt(2/safe);
         f.least[i] = least;
-        const double lift = rise > 0 ? 1.4*rise/safe : 0;
+        const double lift = 1.4*rise/safe;
         f.tau[i] = lift > least ? lift : least;
-        f.status[i] = Vy > 0 && Vy >= offset*omega ? 1. : 0.;
-        f.id[i] = i;
+        f.status[i] = 0;
     }
 }
 
