@@ -141,14 +141,18 @@ struct impact::scatteringSampler::workspace
     //- Velocities after the last impact, by particle of the block
     double Vx[blockSize], Vy[blockSize], Vz[blockSize];
     double spinEnergy[blockSize];
+    unsigned char profileBlock[blockSize];
+
     smoothLanes lanes, struck, start;
     smoothFlights flights;
-    unsigned char profileBlock[blockSize];
 
     workspace(const relief& r, std::uint64_t seed)
     :
-        piece(r, seed)
-    {}
+        piece(r, seed),
+        flights()
+    {
+        std::fill_n(flights.ey[0], smoothBatch, 1.);
+    }
 };
 
 
@@ -443,7 +447,12 @@ void impact::scatteringSampler::sampleSmooth
                 double struckTime[smoothBatch];
                 for (int pass = 0; inFlight > 0; ++pass)
                 {
-                    smoothAdvance(inFlight, smooth_, decide, f);
+                    // Whole vectors: what lies behind the last flight is
+                    // an old one, and harmless
+                    smoothAdvance
+                    (
+                        (inFlight + 7) & ~7, smooth_, decide, f
+                    );
                     int ended = 0;
                     for (int i = 0; i < inFlight; ++i)
                     {
