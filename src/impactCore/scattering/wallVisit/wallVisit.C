@@ -249,7 +249,7 @@ class ellipseShadow
             {
                 // An error of p left here comes back squared
                 const double step = e/rate;
-                if (std::fabs(step) <= 1e-9*(1 + std::fabs(p)))
+                if (std::fabs(step) <= 1e-5*(1 + std::fabs(p)))
                 {
                     return p - step;
                 }
@@ -329,23 +329,26 @@ public:
                 return rest > 1e-16
                   ? xi/std::sqrt(rest) : (xi > 0 ? endless : -endless);
             };
-            const double lo = s.x0 > left ? pOf(s.x0) : -endless;
-            const double hi = s.x1 < right ? pOf(s.x1) : endless;
-            double rateLo, rateHi;
-            const double eLo = e.excess(s, lo, rateLo);
-            const double eHi = e.excess(s, hi, rateHi);
+            const bool cutLo = s.x0 > left;
+            const bool cutHi = s.x1 < right;
+            const double lo = cutLo ? pOf(s.x0) : -endless;
+            const double hi = cutHi ? pOf(s.x1) : endless;
+            const double f = e.w_/e.d_;
+            const double eLo = cutLo ? lo - (s.c1 - e.k_)*f : -1;
+            const double eHi =
+                cutHi ? hi - (slopeIn(s, s.x1) - e.k_)*f : 1;
 
             // Does the excess rise throughout? Its rate is 1 - bend/bend of
             // the arc; the arc is flattest where p is nearest to 0
             const double flat =
                 lo > 0 ? lo : hi < 0 ? hi : 0;
-            const double q2 = 1/(1 + flat*flat);
             const double bend = std::max
             (
                 bendIn(s, std::max(s.x0, left)),
                 bendIn(s, std::min(s.x1, right))
             );
-            if (bend*e.w_*e.w_/e.d_*q2*std::sqrt(q2) < 1)
+            const double q2 = flat == 0 ? 1 : 1/(1 + flat*flat);
+            if (bend*e.w_*f*q2*(flat == 0 ? 1 : std::sqrt(q2)) < 1)
             {
                 offer
                 (
@@ -360,6 +363,9 @@ public:
             // zeros, the excess rises, falls, rises, and its leftmost and
             // rightmost roots are the two minima of the gap
             double peak = lo, trough = hi;
+            double rateLo, rateHi;
+            e.excess(s, lo, rateLo);
+            e.excess(s, hi, rateHi);
             turningPoints(e, s, lo, hi, rateLo, rateHi, peak, trough);
             double r;
             if (eLo >= 0)
@@ -572,6 +578,10 @@ impact::contactPoint impact::wallVisit::search
 {
     const double R = body_->radius();
     const double tolerance = 1e-11*R;
+
+    // Passing the relief at a smaller depth is not a contact: without it a
+    // body that rolls would be followed in steps of the size of round-off
+    const double allowed = 1e-10*R;
     const double omega = rotation.atRest() ? 0 : rotation.maxOmega();
     const double acceleration =
         rotation.atRest() ? 0 : rotation.maxAcceleration();
@@ -676,7 +686,7 @@ impact::contactPoint impact::wallVisit::search
             1.0001*(acceleration*std::sqrt(1 + steep*steep)
           + crest*speedX*speedX) + 1e-30*fastest*fastest/R;
         const double reach = std::sqrt(2/B);
-        const double root0 = std::sqrt(g0);
+        const double root0 = std::sqrt(g0 + allowed);
 
         double tau;
         if (low0.gap <= tolerance)
@@ -699,7 +709,8 @@ impact::contactPoint impact::wallVisit::search
             const double t1 = t0 + tau;
             double rate1;
             const lowest low1 = evaluate(t1, rate1);
-            const double root1 = std::sqrt(std::max(low1.gap, 0.));
+            const double root1 =
+                std::sqrt(std::max(low1.gap, 0.) + allowed);
             const bool clear = root0 + root1 > tau/reach;
             if (low1.gap >= -tolerance)
             {
@@ -740,7 +751,7 @@ impact::contactPoint impact::wallVisit::search
             {
                 next = 0.01*tau;
             }
-            if (next >= reach*root0 && root0 > 0)
+            if (next >= reach*root0)
             {
                 next = std::min(0.999*reach*root0, 0.9*tau);
             }
