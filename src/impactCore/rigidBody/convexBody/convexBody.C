@@ -398,6 +398,24 @@ void impact::convexBody::setPolyhedron(surface s)
         }
     }
     setSymmetryAxis();
+
+    const auto padded = [](std::size_t n) { return (n + 7)/8*8; };
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        for (std::size_t i = 0; i < padded(vertices_.size()); ++i)
+        {
+            paddedVertices_.push_back
+                (vertices_[std::min(i, vertices_.size() - 1)][axis]);
+        }
+    }
+    for (int end = 0; end < 2; ++end)
+    {
+        for (std::size_t i = 0; i < padded(edges_.size()); ++i)
+        {
+            paddedEdges_.push_back
+                (edges_[std::min(i, edges_.size() - 1)][end]);
+        }
+    }
 }
 
 

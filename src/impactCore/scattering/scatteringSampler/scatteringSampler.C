@@ -228,14 +228,16 @@ impact::scatteringSampler::scatteringSampler(const setup& s)
 
     if (setup_.wall && setup_.wall->type() == relief::reliefType::rough)
     {
-        // The descent from the highest crest to the deepest pit, and as much
-        // again to leave and to choose the start
+        // The descent from the highest crest to somewhat below the mean
+        // plane, where no particle of an ordinary wall arrives, and room to
+        // leave and to choose the start. A particle that goes further
+        // enters the stretch of the next.
         const double descent =
-            (2*s.wall->top() + s.body.radius())*cosine/sine
+            (1.3*s.wall->top() + s.body.radius())*cosine/sine
           + 4*s.body.radius();
         stretch_ = int
         (
-            std::min(512., 6 + descent/s.wall->meanSpacing())
+            std::min(512., 5 + descent/s.wall->meanSpacing())
         );
         perPiece_ = std::max(1, std::min(64, 512/stretch_));
         while (blockSize % perPiece_)

@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "wallVisit.H"
+#include "shadowKernels.H"
 
 #include <algorithm>
 #include <cmath>
@@ -50,6 +51,29 @@ inline double bendIn(const relief::interval& s, double x)
 
 class polygonShadow
 {
+    //- Arrays of one thread
+    struct scratch
+    {
+        std::vector<double> X, Y, gap, bound, intervals;
+
+        static scratch& ofThread()
+        {
+            static thread_local scratch s;
+            return s;
+        }
+
+        void reserve(int vertices, int edges)
+        {
+            if (int(X.size()) < vertices || int(bound.size()) < edges)
+            {
+                X.resize(vertices);
+                Y.resize(vertices);
+                gap.resize(vertices);
+                bound.resize(edges);
+            }
+        }
+    };
+
 public:
 
     static lowest find
@@ -61,76 +85,87 @@ public:
     )
     {
         const auto& vertices = body.vertices();
+        const auto& padded = body.paddedVertices();
+        const auto& edges = body.edges();
+        const auto& paddedEdges = body.paddedEdges();
         const int n = int(vertices.size());
-        static thread_local std::vector<double> store;
-        store.resize(3*n);
-        double* X = store.data();
-        double* Y = X + n;
-        double* G = Y + n;
+        const int room = int(padded.size())/3;
+        const int edgeRoom = int(paddedEdges.size())/2;
+        scratch& w = scratch::ofThread();
+        w.reserve(room, edgeRoom);
+        double* X = w.X.data();
+        double* Y = w.Y.data();
+        double* G = w.gap.data();
 
+        // The intervals under the circumscribed circle
+        const double R = body.radius();
+        const std::int64_t first = piece.find(p.x - R, hint);
+        const std::int64_t last = piece.find(p.x + R, first);
+        double crest = 0;
+        w.intervals.clear();
+        for (std::int64_t k = first; k <= last; ++k)
+        {
+            const relief::interval& s = piece.at(k);
+            crest = std::max(crest, s.crest);
+            w.intervals.insert
+            (
+                w.intervals.end(), {s.x0, s.c0, s.c1, s.c2, s.c3}
+            );
+        }
         const vector3& ex = p.rotation.ex;
         const vector3& ey = p.rotation.ey;
-        double left = 1e300, right = -1e300;
-        for (int i = 0; i < n; ++i)
+        const double pose[8] =
+            {p.x, p.y, ex.x, ex.y, ex.z, ey.x, ey.y, ey.z};
+        shadowGaps
+        (
+            room, padded.data(), pose, int(last - first + 1),
+            w.intervals.data(), X, Y, G
+        );
+        int best = 0;
+        for (int i = 1; i < n; ++i)
         {
-            X[i] = p.x + dot(ex, vertices[i]);
-            Y[i] = p.y + dot(ey, vertices[i]);
-            left = std::min(left, X[i]);
-            right = std::max(right, X[i]);
+            best = G[i] < G[best] ? i : best;
         }
-        const std::int64_t first = piece.find(left, hint);
-        std::int64_t last = first;
-        double crest = piece.at(first).crest;
-        while (piece.at(last).x1 < right)
+        std::int64_t under = first;
+        while (under < last && X[best] >= piece.at(under).x1)
         {
-            ++last;
-            crest = std::max(crest, piece.at(last).crest);
+            ++under;
         }
 
-        int best = 0;
-        const relief::interval* bestIn = nullptr;
-        for (int i = 0; i < n; ++i)
-        {
-            std::int64_t k = first;
-            while (k < last && X[i] >= piece.at(k).x1)
-            {
-                ++k;
-            }
-            const relief::interval& s = piece.at(k);
-            G[i] = Y[i] - heightIn(s, X[i]);
-            if (!bestIn || G[i] < G[best])
-            {
-                best = i;
-                bestIn = &s;
-            }
-        }
         lowest out;
         out.gap = G[best];
         out.x = X[best];
-        out.slope = slopeIn(*bestIn, X[best]);
+        out.slope = slopeIn(piece.at(under), X[best]);
         out.r = vertices[best];
         bool vertex = true;
 
         // A crest may reach the inside of an edge: no deeper below the lower
         // of its ends than the sag of the sharpest crest over its length
-        for (const auto& e : body.edges())
+        if (crest > 0)
         {
-            const int i = e[0], j = e[1];
-            const double dx = X[j] - X[i];
-            if
+            edgeBounds
             (
-                std::min(G[i], G[j]) - 0.125*crest*dx*dx >= out.gap
-             || dx == 0
-            )
+                edgeRoom, paddedEdges.data(), X, G, crest, w.bound.data()
+            );
+        }
+        for (std::size_t k = 0; crest > 0 && k < edges.size(); ++k)
+        {
+            if (w.bound[k] >= out.gap)
+            {
+                continue;
+            }
+            const int i = edges[k][0], j = edges[k][1];
+            const double dx = X[j] - X[i];
+            if (dx == 0)
             {
                 continue;
             }
             const double m = (Y[j] - Y[i])/dx;
             const double xa = std::min(X[i], X[j]);
             const double xb = std::max(X[i], X[j]);
-            for (std::int64_t k = first; k <= last; ++k)
+            for (std::int64_t l = first; l <= last; ++l)
             {
-                const relief::interval& s = piece.at(k);
+                const relief::interval& s = piece.at(l);
                 if (s.x1 <= xa || s.x0 >= xb || !(s.crest > 0))
                 {
                     continue;
