@@ -1,0 +1,226 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "convexBody.H"
+
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+#include <tuple>
+
+namespace
+{
+
+typedef impact::convexBody::surface surface;
+using impact::vector3;
+
+//- Triangles share no vertices in an STL file: join those that coincide
+class vertexJoiner
+{
+    surface& surface_;
+    std::map<std::tuple<double, double, double>, int> labels_;
+
+public:
+
+    explicit vertexJoiner(surface& s)
+    :
+        surface_(s)
+    {}
+
+    int label(const vector3& p)
+    {
+        const auto found =
+            labels_.emplace
+            (
+                std::make_tuple(p.x, p.y, p.z),
+                int(surface_.points.size())
+            );
+        if (found.second)
+        {
+            surface_.points.push_back(p);
+        }
+        return found.first->second;
+    }
+};
+
+
+[[noreturn]] void fail(const std::string& fileName, const std::string& why)
+{
+    throw std::invalid_argument("file \"" + fileName + "\": " + why);
+}
+
+
+surface readObj(const std::string& fileName, const std::string& text)
+{
+    surface s;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);)
+    {
+        std::istringstream words(line);
+        std::string key;
+        words >> key;
+        if (key == "v")
+        {
+            vector3 p;
+            if (!(words >> p.x >> p.y >> p.z))
+            {
+                fail(fileName, "a vertex line without three numbers");
+            }
+            s.points.push_back(p);
+        }
+        else if (key == "f")
+        {
+            std::vector<int> face;
+            for (std::string word; words >> word;)
+            {
+                // v, v/vt, v//vn or v/vt/vn; negative counts from the end
+                int v = std::atoi(word.c_str());
+                v = v < 0 ? v + int(s.points.size()) : v - 1;
+                if (v < 0 || v >= int(s.points.size()))
+                {
+                    fail(fileName, "a face names vertex '" + word
+                        + "', which does not exist");
+                }
+                face.push_back(v);
+            }
+            if (face.size() < 3)
+            {
+                fail(fileName, "a face of fewer than 3 vertices");
+            }
+            s.faces.push_back(face);
+        }
+    }
+    return s;
+}
+
+
+surface readStl(const std::string& fileName, const std::string& text)
+{
+    surface s;
+    vertexJoiner joiner(s);
+
+    // A binary file is recognised by its length: some begin with "solid" too
+    std::uint32_t n = 0;
+    if (text.size() >= 84)
+    {
+        std::memcpy(&n, text.data() + 80, 4);
+    }
+    if (text.size() >= 84 && text.size() == 84 + 50*std::size_t(n))
+    {
+        for (std::size_t i = 0; i < n; ++i)
+        {
+            float xyz[9];
+            std::memcpy(xyz, text.data() + 84 + 50*i + 12, sizeof(xyz));
+            std::vector<int> face;
+            for (int k = 0; k < 3; ++k)
+            {
+                face.push_back
+                (
+                    joiner.label({xyz[3*k], xyz[3*k + 1], xyz[3*k + 2]})
+                );
+            }
+            s.faces.push_back(face);
+        }
+        return s;
+    }
+
+    std::istringstream words(text);
+    std::vector<int> face;
+    for (std::string word; words >> word;)
+    {
+        if (word == "vertex")
+        {
+            vector3 p;
+            if (!(words >> p.x >> p.y >> p.z))
+            {
+                fail(fileName, "a vertex without three numbers");
+            }
+            face.push_back(joiner.label(p));
+        }
+        else if (word == "endloop")
+        {
+            if (face.size() != 3)
+            {
+                fail(fileName, "a facet that is not a triangle");
+            }
+            s.faces.push_back(face);
+            face.clear();
+        }
+    }
+    return s;
+}
+
+} // End anonymous namespace
+
+
+impact::convexBody::surface impact::convexBody::readSurface
+(
+    const std::string& fileName
+)
+{
+    std::ifstream file(fileName, std::ios::binary);
+    if (!file)
+    {
+        fail(fileName, "cannot be read");
+    }
+    std::ostringstream buffer;
+    buffer << file.rdbuf();
+
+    std::string extension = fileName.substr(fileName.find_last_of('.') + 1);
+    for (char& c : extension)
+    {
+        c = char(std::tolower(c));
+    }
+    surface s;
+    if (extension == "obj")
+    {
+        s = readObj(fileName, buffer.str());
+    }
+    else if (extension == "stl")
+    {
+        s = readStl(fileName, buffer.str());
+    }
+    else
+    {
+        fail(fileName, "the name must end in .stl or .obj");
+    }
+    if (s.faces.empty())
+    {
+        fail(fileName, "holds no faces");
+    }
+    return s;
+}
+
+
+impact::convexBody impact::convexBody::polyhedron
+(
+    const std::string& fileName,
+    double scale
+)
+{
+    if (!(scale > 0) || !(scale < 1e100))
+    {
+        throw std::invalid_argument
+        (
+            "polyhedron scale " + std::to_string(scale)
+          + ": must be positive and finite"
+        );
+    }
+    surface s = readSurface(fileName);
+    for (vector3& p : s.points)
+    {
+        p = scale*p;
+    }
+    try
+    {
+        return polyhedron(s);
+    }
+    catch (const std::invalid_argument& error)
+    {
+        fail(fileName, error.what());
+    }
+}

@@ -1,0 +1,231 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "freeRotation.H"
+
+#include <algorithm>
+
+namespace
+{
+
+using impact::vector3;
+
+//- v turned about the unit vector k
+inline vector3 turn(const vector3& v, const vector3& k, double s, double c)
+{
+    return c*v + s*cross(k, v) + (1 - c)*dot(k, v)*k;
+}
+
+
+//- v turned about a coordinate axis
+inline vector3 turn(const vector3& v, int axis, double s, double c)
+{
+    const int j = axis == 2 ? 0 : axis + 1;
+    const int k = axis == 0 ? 2 : axis - 1;
+    vector3 r = v;
+    r[j] = c*v[j] - s*v[k];
+    r[k] = s*v[j] + c*v[k];
+    return r;
+}
+
+} // End anonymous namespace
+
+
+impact::freeRotation::freeRotation
+(
+    const convexBody& body,
+    const rotationState& initial
+)
+:
+    body_(&body)
+{
+    restart(0, initial);
+}
+
+
+void impact::freeRotation::restart(double t, const rotationState& state)
+{
+    initial_ = state;
+    origin_ = t;
+    horizon_ = std::numeric_limits<double>::infinity();
+    const vector3 L = multiply(body_->inertia(), state.omega);
+    const double magL = mag(L);
+    atRest_ = !(magL > 0);
+    if (atRest_)
+    {
+        return;
+    }
+    const int axis = body_->symmetryAxis();
+    if (axis < 0)
+    {
+        expand();
+        return;
+    }
+    const vector3& J = body_->inertia();
+    const double across = J[axis == 0 ? 1 : 0];
+    axisL_ = (1/magL)*L;
+    rateL_ = magL/across;
+    rateAxis_ = axis == 3 ? 0 : state.omega[axis]*(1 - J[axis]/across);
+}
+
+
+void impact::freeRotation::expand()
+{
+    const vector3& J = body_->inertia();
+    const double kx = (J.y - J.z)/J.x;
+    const double ky = (J.z - J.x)/J.y;
+    const double kz = (J.x - J.y)/J.z;
+
+    // Time is measured in units of 1/|omega|: coefficients of order one
+    const double magOmega = mag(initial_.omega);
+    scale_ = 1/magOmega;
+    auto& c = series_;
+    const vector3* start[3] = {&initial_.ex, &initial_.ey, &initial_.omega};
+    for (int v = 0; v < 3; ++v)
+    {
+        const double unit = v == 2 ? scale_ : 1;
+        c[0][3*v] = unit*start[v]->x;
+        c[0][3*v + 1] = unit*start[v]->y;
+        c[0][3*v + 2] = unit*start[v]->z;
+    }
+    for (int n = 0; n < order; ++n)
+    {
+        double d[9] = {};
+        for (int i = 0; i <= n; ++i)
+        {
+            const double* a = c[i];
+            const double wx = c[n - i][6];
+            const double wy = c[n - i][7];
+            const double wz = c[n - i][8];
+            d[0] += a[1]*wz - a[2]*wy;
+            d[1] += a[2]*wx - a[0]*wz;
+            d[2] += a[0]*wy - a[1]*wx;
+            d[3] += a[4]*wz - a[5]*wy;
+            d[4] += a[5]*wx - a[3]*wz;
+            d[5] += a[3]*wy - a[4]*wx;
+            d[6] += a[7]*wz;
+            d[7] += a[8]*wx;
+            d[8] += a[6]*wy;
+        }
+        const double f = 1./(n + 1);
+        for (int v = 0; v < 6; ++v)
+        {
+            c[n + 1][v] = f*d[v];
+        }
+        c[n + 1][6] = f*kx*d[6];
+        c[n + 1][7] = f*ky*d[7];
+        c[n + 1][8] = f*kz*d[8];
+    }
+
+    // Where the last three terms have fallen to the tolerance: the largest
+    // is compared, since single coefficients may vanish by symmetry
+    double reach = 1e3;
+    for (int n = order - 2; n <= order; ++n)
+    {
+        double largest = 0;
+        for (double x : c[n])
+        {
+            largest = std::max(largest, std::fabs(x));
+        }
+        if (largest > 0)
+        {
+            reach = std::min(reach, std::pow(1e-14/largest, 1./n));
+        }
+    }
+
+    // A power function may round differently on another machine: the horizon
+    // is rounded down to a power of two, which hides that
+    int exponent;
+    std::frexp(reach*(1 - 1e-9), &exponent);
+    const double mantissa = reach/std::ldexp(1., exponent - 1);
+    const double step = std::floor(8*mantissa*(1 - 1e-9))/8;
+    horizon_ = origin_ + std::ldexp(step, exponent - 1)*scale_;
+}
+
+
+void impact::freeRotation::evaluate(double t, rotationState& state) const
+{
+    if (atRest_)
+    {
+        state = initial_;
+        return;
+    }
+    const int axis = body_->symmetryAxis();
+    if (axis < 0)
+    {
+        const double x = (t - origin_)/scale_;
+        double v[9];
+        for (int i = 0; i < 9; ++i)
+        {
+            v[i] = series_[order][i];
+        }
+        for (int n = order - 1; n >= 0; --n)
+        {
+            for (int i = 0; i < 9; ++i)
+            {
+                v[i] = series_[n][i] + x*v[i];
+            }
+        }
+        const double unit = 1/scale_;
+        state.ex = {v[0], v[1], v[2]};
+        state.ey = {v[3], v[4], v[5]};
+        state.omega = {unit*v[6], unit*v[7], unit*v[8]};
+        return;
+    }
+    double s, c;
+    sinCos(-rateL_*(t - origin_), s, c);
+    state.ex = turn(initial_.ex, axisL_, s, c);
+    state.ey = turn(initial_.ey, axisL_, s, c);
+    state.omega = initial_.omega;
+    if (axis < 3)
+    {
+        sinCos(-rateAxis_*(t - origin_), s, c);
+        state.ex = turn(state.ex, axis, s, c);
+        state.ey = turn(state.ey, axis, s, c);
+        state.omega = turn(state.omega, axis, s, c);
+    }
+}
+
+
+double impact::freeRotation::maxOmega() const
+{
+    const vector3& J = body_->inertia();
+    if (body_->symmetryAxis() >= 0)
+    {
+        return mag(initial_.omega);
+    }
+    // |omega|^2 <= |L|^2/Jmin^2 and <= 2T/Jmin
+    const vector3 L = multiply(J, initial_.omega);
+    const double least = std::min({J.x, J.y, J.z});
+    return std::sqrt
+    (
+        std::min(dot(L, initial_.omega)/least, dot(L, L)/(least*least))
+    );
+}
+
+
+double impact::freeRotation::skewness(const convexBody& body)
+{
+    const vector3& J = body.inertia();
+    double k = 0;
+    for (int i = 0; i < 3; ++i)
+    {
+        k = std::max
+        (
+            k,
+            std::fabs((J[(i + 1) % 3] - J[(i + 2) % 3])/J[i])
+        );
+    }
+    // The products of two components of omega make a vector no longer than
+    // omega^2/sqrt(3)
+    return 0.57736*k;
+}
+
+
+double impact::freeRotation::maxAcceleration() const
+{
+    // |omega x (omega x r)| + |domega/dt x r|
+    const double w = maxOmega();
+    return body_->radius()*w*w*(1 + skewness(*body_));
+}

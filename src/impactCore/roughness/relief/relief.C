@@ -1,0 +1,426 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "relief.H"
+#include "elementary.H"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace
+{
+
+typedef impact::relief::interval interval;
+
+void require(bool ok, const char* name, double value, const char* range)
+{
+    if (!ok)
+    {
+        std::ostringstream text;
+        text<< name << ' ' << value << ": valid range " << range;
+        throw std::invalid_argument(text.str());
+    }
+}
+
+
+//- The cubic between two knots, from heights and second derivatives
+interval makeInterval
+(
+    double x0,
+    double h,
+    double y0,
+    double y1,
+    double m0,
+    double m1
+)
+{
+    interval s;
+    s.x0 = x0;
+    s.x1 = x0 + h;
+    s.c0 = y0;
+    s.c1 = (y1 - y0)/h - h*(2*m0 + m1)/6;
+    s.c2 = 0.5*m0;
+    s.c3 = (m1 - m0)/(6*h);
+
+    const double slope1 = s.c1 + h*(2*s.c2 + 3*h*s.c3);
+    s.top = std::max(y0, y1);
+    s.steep = std::max(std::fabs(s.c1), std::fabs(slope1));
+    s.crest = std::max(0., -std::min(m0, m1));
+
+    // Highest point inside: where the slope falls through zero
+    const double disc = s.c2*s.c2 - 3*s.c3*s.c1;
+    if (disc > 0)
+    {
+        // Of the two forms of the root, the one without cancellation
+        const double root = std::sqrt(disc);
+        const double num = s.c2 > 0 ? -s.c2 - root : s.c1;
+        const double den = s.c2 > 0 ? 3*s.c3 : root - s.c2;
+        const double u = den != 0 ? num/den : -1;
+        if (u > 0 && u < h)
+        {
+            s.top =
+                std::max(s.top, s.c0 + u*(s.c1 + u*(s.c2 + u*s.c3)));
+        }
+    }
+    // Steepest point inside: the inflection
+    if ((m0 > 0) != (m1 > 0) && s.c3 != 0)
+    {
+        s.steep = std::max(s.steep, std::fabs(s.c1 - s.c2*s.c2/(3*s.c3)));
+    }
+    return s;
+}
+
+} // End anonymous namespace
+
+
+impact::relief impact::relief::rough
+(
+    double meanSpacing,
+    double sigmaSpacing,
+    double sigmaHeight
+)
+{
+    require
+    (
+        meanSpacing > 0 && meanSpacing < 1e100,
+        "meanSpacing", meanSpacing, "(0, inf)"
+    );
+    require
+    (
+        sigmaSpacing >= 0 && 3*sigmaSpacing < meanSpacing,
+        "sigmaSpacing", sigmaSpacing,
+        "[0, meanSpacing/3): the knots would run backwards"
+    );
+    require
+    (
+        sigmaHeight >= 0 && sigmaHeight < 1e100,
+        "sigmaHeight", sigmaHeight, "[0, inf)"
+    );
+    relief r;
+    r.type_ = reliefType::rough;
+    r.meanSpacing_ = meanSpacing;
+    r.sigmaSpacing_ = sigmaSpacing;
+    r.sigmaHeight_ = sigmaHeight;
+
+    // A cubic spline overshoots its knots by up to 55 % on equal spacing
+    // (its Lebesgue constant is 1.55)
+    r.top_ = 1.6*3*sigmaHeight;
+    return r;
+}
+
+
+void impact::relief::setPeriodic
+(
+    const std::vector<double>& x,
+    const std::vector<double>& y,
+    double period
+)
+{
+    // Natural splines over a range that goes round: three periods at least
+    // and enough knots for the ends to be forgotten
+    const int n = int(x.size());
+    const int turns = 1 + (2*reliefPiece::guard + n - 1)/n;
+    const int lead = ((turns + 1)/2)*n;
+    const int total = 2*lead + n + 1;
+    std::vector<double> h(total), Y(total), M(total), work(2*total);
+    for (int i = 0; i < total; ++i)
+    {
+        const int k = i % n;
+        Y[i] = y[k];
+        h[i] = k == 0 ? x[0] + period - x[n - 1] : x[k] - x[k - 1];
+    }
+    splineMoments(total, h.data(), Y.data(), M.data(), work.data());
+
+    type_ = reliefType::periodic;
+    period_ = period;
+    top_ = -1e300;
+    table_.clear();
+    double from = 0;
+    for (int i = 0; i < n; ++i)
+    {
+        const int k = lead + i;
+        interval s =
+            makeInterval(from, h[k + 1], Y[k], Y[k + 1], M[k], M[k + 1]);
+        if (i == n - 1)
+        {
+            s.x1 = period;
+        }
+        from = s.x1;
+        top_ = std::max(top_, s.top);
+        table_.push_back(s);
+    }
+}
+
+
+impact::relief impact::relief::profile
+(
+    std::vector<double> x,
+    std::vector<double> y
+)
+{
+    if (x.size() < 4 || x.size() != y.size())
+    {
+        throw std::invalid_argument
+        (
+            "a profile needs at least 4 points (x, y), it has "
+          + std::to_string(x.size())
+        );
+    }
+    const std::size_t n = x.size();
+    double sx = 0, sy = 0, sxx = 0, sxy = 0;
+    for (std::size_t i = 0; i < n; ++i)
+    {
+        if (!std::isfinite(x[i]) || !std::isfinite(y[i]))
+        {
+            throw std::invalid_argument
+            (
+                "point " + std::to_string(i + 1)
+              + " of the profile is not finite"
+            );
+        }
+        if (i > 0 && !(x[i] > x[i - 1]))
+        {
+            throw std::invalid_argument
+            (
+                "point " + std::to_string(i + 1) + " of the profile is not"
+                " beyond the one before: x must increase"
+            );
+        }
+        sx += x[i] - x[0];
+        sy += y[i];
+        sxx += (x[i] - x[0])*(x[i] - x[0]);
+        sxy += (x[i] - x[0])*y[i];
+    }
+    const double slope = (n*sxy - sx*sy)/(n*sxx - sx*sx);
+    const double mean = (sy - slope*sx)/n;
+    const double origin = x[0];
+    for (std::size_t i = 0; i < n; ++i)
+    {
+        x[i] -= origin;
+        y[i] -= mean + slope*x[i];
+    }
+    relief r;
+    r.setPeriodic(x, y, x[n - 1] + x[n - 1]/(n - 1));
+    return r;
+}
+
+
+impact::relief impact::relief::profile
+(
+    const std::string& fileName,
+    double scale
+)
+{
+    require(scale > 0 && scale < 1e100, "profile scale", scale, "(0, inf)");
+    std::ifstream file(fileName);
+    if (!file)
+    {
+        throw std::invalid_argument
+        (
+            "profile file \"" + fileName + "\" cannot be read"
+        );
+    }
+    std::vector<double> x, y;
+    int number = 0;
+    for (std::string line; std::getline(file, line);)
+    {
+        ++number;
+        line = line.substr(0, line.find('#'));
+        std::replace(line.begin(), line.end(), ',', ' ');
+        std::istringstream words(line);
+        double a, b;
+        if (words >> a >> b)
+        {
+            x.push_back(scale*a);
+            y.push_back(scale*b);
+        }
+        else if (line.find_first_not_of(" \t\r") != std::string::npos)
+        {
+            throw std::invalid_argument
+            (
+                "profile file \"" + fileName + "\", line "
+              + std::to_string(number) + ": two numbers x y expected"
+            );
+        }
+    }
+    try
+    {
+        return profile(x, y);
+    }
+    catch (const std::invalid_argument& error)
+    {
+        throw std::invalid_argument
+        (
+            "profile file \"" + fileName + "\": " + error.what()
+        );
+    }
+}
+
+
+impact::relief impact::relief::sinusoidal
+(
+    double amplitude,
+    double wavelength
+)
+{
+    require
+    (
+        amplitude >= 0 && amplitude < 1e100,
+        "amplitude", amplitude, "[0, inf)"
+    );
+    require
+    (
+        wavelength > 0 && wavelength < 1e100,
+        "wavelength", wavelength, "(0, inf)"
+    );
+    const int n = 64;
+    std::vector<double> x(n), y(n);
+    for (int i = 0; i < n; ++i)
+    {
+        double s, c;
+        sinCosTurns(double(i)/n, s, c);
+        x[i] = wavelength*i/n;
+        y[i] = amplitude*s;
+    }
+    relief r;
+    r.setPeriodic(x, y, wavelength);
+    return r;
+}
+
+
+impact::relief impact::relief::flat(double period)
+{
+    require(period > 0 && period < 1e100, "period", period, "(0, inf)");
+    relief r;
+    r.period_ = period;
+    r.table_ = {makeInterval(0, period, 0, 0, 0, 0)};
+    return r;
+}
+
+
+impact::reliefPiece::reliefPiece(const relief& r, std::uint64_t seed)
+:
+    relief_(&r),
+    seed_(seed)
+{
+    start(0, 1);
+}
+
+
+void impact::reliefPiece::start(std::uint64_t identity, int n)
+{
+    identity_ = identity;
+    intervals_.clear();
+    first_ = last_ = 0;
+    xFirst_ = xLast_ = 0;
+    generate(0, n, false);
+}
+
+
+void impact::reliefPiece::generate
+(
+    std::int64_t from,
+    std::int64_t to,
+    bool front
+)
+{
+    const int n = int(to - from);
+    const std::size_t old = intervals_.size();
+    if (front)
+    {
+        intervals_.insert(intervals_.begin(), n, interval());
+        first_ = from;
+    }
+    else
+    {
+        intervals_.resize(old + n);
+        last_ = to;
+    }
+    interval* out = &intervals_[from - first_];
+
+    if (relief_->type() == relief::reliefType::periodic)
+    {
+        const auto& table = relief_->table();
+        const std::int64_t size = std::int64_t(table.size());
+        for (int i = 0; i < n; ++i)
+        {
+            const std::int64_t k = from + i;
+            const std::int64_t turn =
+                k >= 0 ? k/size : -((size - 1 - k)/size);
+            const double shift = double(turn)*relief_->period();
+            out[i] = table[k - turn*size];
+            out[i].x0 += shift;
+            out[i].x1 += shift;
+        }
+        return;
+    }
+
+    const int knots = n + 1 + 2*guard;
+    spacing_.resize(knots);
+    height_.resize(knots);
+    moment_.resize(knots);
+    work_.resize(2*knots);
+    drawKnots
+    (
+        seed_, identity_, from - guard, knots,
+        relief_->meanSpacing(), relief_->sigmaSpacing(),
+        relief_->sigmaHeight(), spacing_.data(), height_.data()
+    );
+    splineMoments
+    (
+        knots, spacing_.data(), height_.data(), moment_.data(), work_.data()
+    );
+    double x = xLast_;
+    if (front)
+    {
+        for (int i = 0; i < n; ++i)
+        {
+            xFirst_ -= spacing_[guard + n - i];
+        }
+        x = xFirst_;
+    }
+    for (int i = 0; i < n; ++i)
+    {
+        const int k = guard + i;
+        out[i] = makeInterval
+        (
+            x, spacing_[k + 1], height_[k], height_[k + 1],
+            moment_[k], moment_[k + 1]
+        );
+        x = out[i].x1;
+    }
+    if (front && std::size_t(n) < intervals_.size())
+    {
+        out[n - 1].x1 = out[n].x0;      // not a round-off apart
+    }
+    if (!front)
+    {
+        xLast_ = x;
+    }
+}
+
+
+void impact::reliefPiece::grow(std::int64_t i)
+{
+    const std::int64_t chunk = 16;
+    if (i < first_)
+    {
+        generate(std::min(i, first_ - chunk), first_, true);
+    }
+    else if (i >= last_)
+    {
+        generate(last_, std::max(i + 1, last_ + chunk), false);
+    }
+}
+
+
+double impact::reliefPiece::height(double x, std::int64_t guess)
+{
+    const interval& s = at(find(x, guess));
+    const double u = x - s.x0;
+    return s.c0 + u*(s.c1 + u*(s.c2 + u*s.c3));
+}

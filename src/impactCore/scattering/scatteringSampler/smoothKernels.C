@@ -1,0 +1,593 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "vectorTargets.H"
+
+#include "smoothKernels.H"
+#include "elementary.H"
+#include "orientation.H"
+#include "philoxLanes.H"
+
+namespace
+{
+
+using namespace impact;
+
+//- Lowest point of the body, and its distance below the centre; m is the
+//  laboratory axis y in body components
+impactInline double lowest
+(
+    bool ellipsoid,
+    double a0,
+    double a1,
+    double a2,
+    double mx,
+    double my,
+    double mz,
+    double& rx,
+    double& ry,
+    double& rz
+)
+{
+    if (ellipsoid)
+    {
+        const double sx = a0*mx;
+        const double sy = a1*my;
+        const double sz = a2*mz;
+        const double h = std::sqrt(sx*sx + sy*sy + sz*sz);
+        const double f = -1/h;
+        rx = f*a0*sx;
+        ry = f*a1*sy;
+        rz = f*a2*sz;
+        return h;
+    }
+    rx = mx > 0 ? -a0 : a0;
+    ry = my > 0 ? -a1 : a1;
+    rz = mz > 0 ? -a2 : a2;
+    return -(rx*mx + ry*my + rz*mz);
+}
+
+
+//- v turned about a unit vector k
+impactInline void turn
+(
+    double kx,
+    double ky,
+    double kz,
+    double s,
+    double c,
+    double& vx,
+    double& vy,
+    double& vz
+)
+{
+    const double d = (1 - c)*(kx*vx + ky*vy + kz*vz);
+    const double x = c*vx + s*(ky*vz - kz*vy) + d*kx;
+    const double y = c*vy + s*(kz*vx - kx*vz) + d*ky;
+    const double z = c*vz + s*(kx*vy - ky*vx) + d*kz;
+    vx = x;
+    vy = y;
+    vz = z;
+}
+
+
+//- v turned about a body axis
+template<int axis>
+impactInline void turnAxis(double s, double c, double& vx, double& vy, double& vz)
+{
+    if (axis == 0)
+    {
+        const double y = c*vy - s*vz;
+        vz = s*vy + c*vz;
+        vy = y;
+    }
+    else if (axis == 1)
+    {
+        const double z = c*vz - s*vx;
+        vx = s*vz + c*vx;
+        vz = z;
+    }
+    else if (axis == 2)
+    {
+        const double x = c*vx - s*vy;
+        vy = s*vx + c*vy;
+        vx = x;
+    }
+}
+
+
+template<orientationLaw law>
+impactInline void arrive
+(
+    std::uint64_t seed,
+    std::int64_t first,
+    int n,
+    const double* V,
+    const double* spin,
+    smoothLanes& __restrict__ l
+)
+{
+    const double V0 = V[0], V1 = V[1], V2 = V[2];
+    const double s0 = spin[0], s1 = spin[1], s2 = spin[2];
+    for (int i = 0; i < n; ++i)
+    {
+        std::uint64_t w0, w1, w2, w3;
+        philoxLane
+        (
+            seed, 0, drawPurpose::orientation, std::uint64_t(first + i),
+            w0, w1, w2, w3
+        );
+        double u0, u1, u2;
+        threeUnits(w0, w1, w2, w3, u0, u1, u2);
+        vector3 ex, ey;
+        orient<law>(u0, u1, u2, ex, ey);
+        l.ex[0][i] = ex.x;
+        l.ex[1][i] = ex.y;
+        l.ex[2][i] = ex.z;
+        l.ey[0][i] = ey.x;
+        l.ey[1][i] = ey.y;
+        l.ey[2][i] = ey.z;
+        const vector3 ez = cross(ex, ey);
+        l.w[0][i] = s0*ex.x + s1*ey.x + s2*ez.x;
+        l.w[1][i] = s0*ex.y + s1*ey.y + s2*ez.y;
+        l.w[2][i] = s0*ex.z + s1*ey.z + s2*ez.z;
+        l.V[0][i] = V0;
+        l.V[1][i] = V1;
+        l.V[2][i] = V2;
+    }
+}
+
+
+//- Contact points of the lanes
+template<bool ellipsoid>
+impactInline void touch(int n, const smoothBody& b, smoothLanes& __restrict__ l)
+{
+    const double a0 = b.a[0], a1 = b.a[1], a2 = b.a[2];
+    for (int i = 0; i < n; ++i)
+    {
+        lowest
+        (
+            ellipsoid, a0, a1, a2, l.ey[0][i], l.ey[1][i], l.ey[2][i],
+            l.r[0][i], l.r[1][i], l.r[2][i]
+        );
+    }
+}
+
+
+impactInline void touchVertices
+(
+    int n,
+    const smoothBody& b,
+    smoothLanes& __restrict__ l
+)
+{
+    const double* __restrict__ x = b.vertices;
+    const double* __restrict__ y = x + b.nVertices;
+    const double* __restrict__ z = y + b.nVertices;
+    const int m = b.nVertices;
+    for (int i = 0; i < n; ++i)
+    {
+        const double ex = l.ey[0][i], ey = l.ey[1][i], ez = l.ey[2][i];
+        double low = 1e300, rx = 0, ry = 0, rz = 0;
+        for (int k = 0; k < m; ++k)
+        {
+            const double h = ex*x[k] + ey*y[k] + ez*z[k];
+            const bool lower = h < low;
+            low = lower ? h : low;
+            rx = lower ? x[k] : rx;
+            ry = lower ? y[k] : ry;
+            rz = lower ? z[k] : rz;
+        }
+        l.r[0][i] = rx;
+        l.r[1][i] = ry;
+        l.r[2][i] = rz;
+    }
+}
+
+
+impactInline void touchAny(int n, const smoothBody& b, smoothLanes& l)
+{
+    if (b.ellipsoid)
+    {
+        touch<true>(n, b, l);
+    }
+    else if (!b.vertices)
+    {
+        touch<false>(n, b, l);
+    }
+    else
+    {
+        touchVertices(n, b, l);
+    }
+}
+
+
+template<int axis, bool ellipsoid, bool decide>
+impactInline void advance
+(
+    int n,
+    const smoothBody& b,
+    smoothFlights& __restrict__ f
+)
+{
+    const double a0 = b.a[0], a1 = b.a[1], a2 = b.a[2];
+    const double R = b.radius;
+    const double tolerance = 1e-11*R;
+    for (int i = 0; i < n; ++i)
+    {
+        const double tau = f.tau[i];
+        const double before = f.status[i];
+        const bool live = before == 0;
+        const double t0 = f.t[i];
+        const double g0 = f.gap[i];
+        const double t1 = t0 + tau;
+        double mx = f.ey[0][i], my = f.ey[1][i], mz = f.ey[2][i];
+        double s, c;
+        sinCos(-f.rateL[i]*t1, s, c);
+        turn(f.axisL[0][i], f.axisL[1][i], f.axisL[2][i], s, c, mx, my, mz);
+        sinCos(-f.rateAxis[i]*t1, s, c);
+        turnAxis<axis>(s, c, mx, my, mz);
+        double rx, ry, rz;
+        const double h =
+            lowest(ellipsoid, a0, a1, a2, mx, my, mz, rx, ry, rz);
+        const double y1 = f.y[i] + f.Vy[i]*t1;
+        const double g1 = y1 - h;
+
+        // As in wallVisit::search
+        const double reach = f.reach[i];
+        const double least = f.least[i];
+        const double root0 = std::sqrt(g0);
+        const double above = g1 > 0 ? g1 : 0;
+        const double root1 = std::sqrt(above);
+        const bool pierced = g1 < -tolerance;
+        const bool shortest = tau <= least;
+        const bool clear =
+            ((root0 + root1)*reach > tau) | (!pierced & shortest);
+        const bool gone = !pierced & clear & (f.Vy[i] > 0) & (y1 > R);
+        if (decide)
+        {
+            const bool step = live & !pierced & clear;
+            const double longer = 1.9*reach*root1;
+            const double trial =
+                step ? (longer > least ? longer : least) : 0.5*tau;
+            const double now = 2*(pierced ? 1. : 0.) + (gone ? 1. : 0.);
+            f.status[i] = live ? now : before;
+            f.t[i] = t0 + (step ? tau : 0.);
+            f.gap[i] = step ? above : g0;
+            f.tau[i] = trial > least ? trial : least;
+        }
+        else
+        {
+            double wx = f.w[0][i], wy = f.w[1][i], wz = f.w[2][i];
+            turnAxis<axis>(s, c, wx, wy, wz);
+            const double rate1 = f.Vy[i]
+              + mx*(wy*rz - wz*ry) + my*(wz*rx - wx*rz)
+              + mz*(wx*ry - wy*rx);
+            const bool falling = rate1 < 0;
+            const double slope = falling ? rate1 : -1;
+            const bool strikes =
+                (pierced & shortest)
+             | (!pierced & clear & falling & (g1 <= tolerance));
+            const bool step = live & !pierced & clear & !strikes;
+
+            // Pierced: Newton's step back, or the chord's, and not beyond
+            // what is certain
+            double back = tau - g1/slope;
+            const double fall = g0 - g1;
+            const double chord = tau*g0/(pierced ? fall : 1);
+            back = falling & (back > 0) & (back < tau) ? back : chord;
+            back = back > 0.01*tau ? back : 0.01*tau;
+            const double certain = 0.999*reach*root0;
+            const double cut = certain < 0.9*tau ? certain : 0.9*tau;
+            back = (back >= reach*root0) & (root0 > 0) ? cut : back;
+            back = back < 0.9999999*tau ? back : 0.9999999*tau;
+
+            // Uncertain: a shorter step
+            double shorter = 0.9*reach*(root0 + root1);
+            shorter = shorter < 0.9*tau ? shorter : 0.9*tau;
+
+            // Certain: on from there
+            double longer = 1.6*reach*root1;
+            const double newton = -above/slope;
+            longer = falling & (newton < longer) ? newton : longer;
+            const double lift = falling ? 0 : 0.5*rate1*reach*reach;
+            longer = g1 <= tolerance ? lift : longer;
+
+            const double trial =
+                pierced ? back : step ? longer : shorter;
+            const double now = 2*(strikes ? 1. : 0.) + (gone ? 1. : 0.);
+            f.status[i] = live ? now : before;
+            f.t[i] = t0 + (step ? tau : 0.);
+            f.gap[i] = step ? above : g0;
+            const double next = trial > least ? trial : least;
+            f.tau[i] = strikes | !live ? tau : next;
+        }
+    }
+}
+
+
+template<bool ellipsoid, bool decide>
+impactInline void advanceAxis(int n, const smoothBody& b, smoothFlights& f)
+{
+    b.axis == 0 ? advance<0, ellipsoid, decide>(n, b, f)
+  : b.axis == 1 ? advance<1, ellipsoid, decide>(n, b, f)
+  : b.axis == 2 ? advance<2, ellipsoid, decide>(n, b, f)
+  : advance<3, ellipsoid, decide>(n, b, f);
+}
+
+
+template<int axis>
+impactInline void turnLanes
+(
+    int n,
+    const smoothBody& b,
+    const double* __restrict__ t,
+    smoothLanes& __restrict__ l
+)
+{
+    const double J0 = b.J[0], J1 = b.J[1], J2 = b.J[2];
+    const double across = axis == 0 ? J1 : J0;
+    const double along = axis == 0 ? J0 : axis == 1 ? J1 : J2;
+    const double ratio = axis < 3 ? 1 - along/across : 0;
+    for (int i = 0; i < n; ++i)
+    {
+        double wx = l.w[0][i], wy = l.w[1][i], wz = l.w[2][i];
+        double Lx = J0*wx, Ly = J1*wy, Lz = J2*wz;
+        const double L = std::sqrt(Lx*Lx + Ly*Ly + Lz*Lz);
+        const double f = 1/(L > 0 ? L : 1);
+        Lx *= f;
+        Ly *= f;
+        Lz *= f;
+        const double spin = axis == 0 ? wx : axis == 1 ? wy : wz;
+        double s, c;
+        sinCos(-t[i]*L/across, s, c);
+        turn(Lx, Ly, Lz, s, c, l.ex[0][i], l.ex[1][i], l.ex[2][i]);
+        turn(Lx, Ly, Lz, s, c, l.ey[0][i], l.ey[1][i], l.ey[2][i]);
+        sinCos(-t[i]*spin*ratio, s, c);
+        turnAxis<axis>(s, c, l.ex[0][i], l.ex[1][i], l.ex[2][i]);
+        turnAxis<axis>(s, c, l.ey[0][i], l.ey[1][i], l.ey[2][i]);
+        turnAxis<axis>(s, c, wx, wy, wz);
+        l.w[0][i] = wx;
+        l.w[1][i] = wy;
+        l.w[2][i] = wz;
+    }
+}
+
+} // End anonymous namespace
+
+
+namespace impact
+{
+
+impactKernel void smoothArrive
+(
+    bool isotropic,
+    std::uint64_t seed,
+    std::int64_t first,
+    int n,
+    const double V[3],
+    const double spin[3],
+    const smoothBody& b,
+    smoothLanes& l
+)
+{
+    if (isotropic)
+    {
+        arrive<orientationLaw::isotropic>(seed, first, n, V, spin, l);
+    }
+    else
+    {
+        arrive<orientationLaw::uniformEuler>(seed, first, n, V, spin, l);
+    }
+    touchAny(n, b, l);
+}
+
+
+impactKernel void smoothImpact
+(
+    int n,
+    const smoothBody& b,
+    smoothLanes& __restrict__ l
+)
+{
+    const double J0 = b.J[0], J1 = b.J[1], J2 = b.J[2];
+    const double tangent = b.tangential - 1;
+    const double bounce = b.normal + b.tangential;
+    for (int i = 0; i < n; ++i)
+    {
+        const vector3 ex = {l.ex[0][i], l.ex[1][i], l.ex[2][i]};
+        const vector3 n_ = {l.ey[0][i], l.ey[1][i], l.ey[2][i]};
+        const vector3 ez = cross(ex, n_);
+        const vector3 w = {l.w[0][i], l.w[1][i], l.w[2][i]};
+        const vector3 r = {l.r[0][i], l.r[1][i], l.r[2][i]};
+        const vector3 V =
+            l.V[0][i]*ex + l.V[1][i]*n_ + l.V[2][i]*ez;
+
+        const vector3 Vc = V + cross(w, r);
+        const double vn = dot(Vc, n_);
+        const vector3 dVc = tangent*Vc - (bounce*vn)*n_;
+
+        // spinChange() of reboundLaw.H
+        const double r2 = dot(r, r);
+        const double ix = 1/(J0 + r2);
+        const double iy = 1/(J1 + r2);
+        const double iz = 1/(J2 + r2);
+        const vector3 m = cross(r, dVc);
+        const vector3 q = {ix*m.x, iy*m.y, iz*m.z};
+        const vector3 d = {ix*r.x, iy*r.y, iz*r.z};
+        const double rest = J0*r.x*d.x + J1*r.y*d.y + J2*r.z*d.z;
+        const double f = dot(r, q)*r2/rest;
+        const vector3 dw = {q.x + f*d.x, q.y + f*d.y, q.z + f*d.z};
+        const vector3 dV = dVc - cross(dw, r);
+
+        const vector3 H = {J0*w.x, J1*w.y, J2*w.z};
+        const vector3 dH = {J0*dw.x, J1*dw.y, J2*dw.z};
+        const double before = 0.5*(dot(V, V) + dot(w, H));
+        const double change =
+            dot(V, dV) + 0.5*dot(dV, dV) + dot(w, dH) + 0.5*dot(dw, dH);
+        l.approach[i] = -vn;
+        l.pulling[i] = dot(dV, n_) < 0 ? 1. : 0.;
+        l.gaining[i] = change > 1e-12*before ? 1. : 0.;
+
+        const vector3 V2 = V + dV;
+        l.V[0][i] = dot(V2, ex);
+        l.V[1][i] = dot(V2, n_);
+        l.V[2][i] = dot(V2, ez);
+        l.w[0][i] = w.x + dw.x;
+        l.w[1][i] = w.y + dw.y;
+        l.w[2][i] = w.z + dw.z;
+    }
+}
+
+
+impactKernel void smoothTally
+(
+    int n,
+    double small,
+    const smoothLanes& __restrict__ l,
+    int* counts
+)
+{
+    int large = 0, pulling = 0, gaining = 0, into = 0;
+    for (int i = 0; i < n; ++i)
+    {
+        large += l.approach[i] > small ? 1 : 0;
+        pulling += l.pulling[i] > 0 ? 1 : 0;
+        gaining += l.gaining[i] > 0 ? 1 : 0;
+        into += l.V[1][i] <= 0 ? 1 : 0;
+    }
+    counts[0] = large;
+    counts[1] = pulling;
+    counts[2] = gaining;
+    counts[3] = into;
+}
+
+
+impactKernel void smoothCull
+(
+    int n,
+    const smoothBody& b,
+    const smoothLanes& __restrict__ l,
+    double* __restrict__ mayReturn
+)
+{
+    const double R = b.radius;
+    const double offset = b.offset;
+    const double bend = b.bend;
+    const double bounce = b.ellipsoid ? b.normal : 0;
+    for (int i = 0; i < n; ++i)
+    {
+        const double wx = l.w[0][i], wy = l.w[1][i], wz = l.w[2][i];
+        const double w2 = wx*wx + wy*wy + wz*wz;
+        const double Vy = l.V[1][i];
+        const double y =
+           -(
+                l.r[0][i]*l.ey[0][i] + l.r[1][i]*l.ey[1][i]
+              + l.r[2][i]*l.ey[2][i]
+            );
+        // Rises faster than any lowest point can sink; or is out of reach
+        // after (R - y)/Vy, before which rise t - bend w^2 t^2/2 > 0 (of an
+        // ellipsoid: another corner of a box may be sinking already)
+        const double rise = bounce*l.approach[i];
+        const bool gone = (Vy > 0)
+          & ((Vy*Vy >= offset*offset*w2)
+          | (2*rise*Vy >= bend*w2*(R - y)));
+        mayReturn[i] = gone ? 0. : Vy > 0 ? 1. : 2.;
+    }
+}
+
+
+impactKernel void smoothLaunch
+(
+    int n,
+    const smoothBody& b,
+    const smoothLanes& __restrict__ l,
+    smoothFlights& __restrict__ f
+)
+{
+    const double J0 = b.J[0], J1 = b.J[1], J2 = b.J[2];
+    const double across = b.axis == 0 ? J1 : J0;
+    const double along = b.axis == 0 ? J0 : b.axis == 1 ? J1 : J2;
+    const double ratio = b.axis == 3 ? 0 : 1 - along/across;
+    const double along0 = b.axis == 0, along1 = b.axis == 1;
+    const double along2 = b.axis == 2;
+    const double R = b.radius;
+    const double bend = b.bend;
+    const double bounce = b.normal;
+    for (int i = 0; i < n; ++i)
+    {
+        const double wx = l.w[0][i], wy = l.w[1][i], wz = l.w[2][i];
+        const double Lx = J0*wx, Ly = J1*wy, Lz = J2*wz;
+        const double w2 = wx*wx + wy*wy + wz*wz;
+        const double L = std::sqrt(Lx*Lx + Ly*Ly + Lz*Lz);
+        const double unit = 1/(L > 0 ? L : 1);
+        const double mx = l.ey[0][i], my = l.ey[1][i], mz = l.ey[2][i];
+        const double Vx = l.V[0][i], Vy = l.V[1][i];
+        const double rise = bounce*l.approach[i];
+        const double fastest =
+            std::sqrt(Vx*Vx + Vy*Vy) + std::sqrt(w2)*R;
+        const double bound = bend*w2 + 1e-30*fastest*fastest/R;
+        const double safe = bound > 0 ? bound : 1;
+        const double least = 1e-10*R/(fastest > 0 ? fastest : 1);
+        f.ey[0][i] = mx;
+        f.ey[1][i] = my;
+        f.ey[2][i] = mz;
+        f.w[0][i] = wx;
+        f.w[1][i] = wy;
+        f.w[2][i] = wz;
+        f.axisL[0][i] = unit*Lx;
+        f.axisL[1][i] = unit*Ly;
+        f.axisL[2][i] = unit*Lz;
+        f.rateL[i] = L/across;
+        f.rateAxis[i] = ratio*(along0*wx + along1*wy + along2*wz);
+        f.y[i] = -(l.r[0][i]*mx + l.r[1][i]*my + l.r[2][i]*mz);
+        f.Vy[i] = Vy;
+        f.t[i] = 0;
+        f.gap[i] = 0;
+        f.reach[i] = std::sqrt(2/safe);
+        f.least[i] = least;
+        const double lift = 1.4*rise/safe;
+        f.tau[i] = lift > least ? lift : least;
+        f.status[i] = 0;
+    }
+}
+
+
+impactKernel void smoothAdvance
+(
+    int n,
+    const smoothBody& b,
+    bool decide,
+    smoothFlights& f
+)
+{
+    if (b.ellipsoid)
+    {
+        decide ? advanceAxis<true, true>(n, b, f)
+          : advanceAxis<true, false>(n, b, f);
+    }
+    else
+    {
+        decide ? advanceAxis<false, true>(n, b, f)
+          : advanceAxis<false, false>(n, b, f);
+    }
+}
+
+
+impactKernel void smoothTurn
+(
+    int n,
+    const smoothBody& b,
+    const double* t,
+    smoothLanes& l
+)
+{
+    b.axis == 0 ? turnLanes<0>(n, b, t, l)
+  : b.axis == 1 ? turnLanes<1>(n, b, t, l)
+  : b.axis == 2 ? turnLanes<2>(n, b, t, l)
+  : turnLanes<3>(n, b, t, l);
+    touchAny(n, b, l);
+}
+
+} // End namespace impact

@@ -1,0 +1,49 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "vectorTargets.H"
+
+#include "scatteringKernels.H"
+#include "elementary.H"
+
+namespace impact
+{
+
+impactKernel void directionAngles
+(
+    int n,
+    const double* __restrict__ Vx,
+    const double* __restrict__ Vy,
+    const double* __restrict__ Vz,
+    double reference,
+    double binsPerDegree,
+    int nBins,
+    double* __restrict__ alpha,
+    double* __restrict__ beta,
+    int* __restrict__ bin
+)
+{
+    const double scale = 57.295779513082323*binsPerDegree;
+    for (int i = 0; i < n; ++i)
+    {
+        const double x = Vx[i];
+        const double y = Vy[i];
+        const double z = Vz[i];
+
+        // A body at rest has no direction: counted as leaving along the wall
+        const double h2 = x*x + y*y;
+        const double a = arcTan2(y, h2 > 0 ? x : 1);
+        const double b = arcTan2(z, h2 + z*z > 0 ? std::sqrt(h2) : 1);
+        alpha[i] = a - reference;
+        beta[i] = b;
+        int p = int(a*scale);
+        int q = int(b*scale + 0.5*nBins);
+        p = p < nBins ? p : nBins - 1;
+        q = q < nBins ? q : nBins - 1;
+        q = q < 0 ? 0 : q;
+        bin[i] = a >= 0 ? p*nBins + q : -1;
+    }
+}
+
+} // End namespace impact

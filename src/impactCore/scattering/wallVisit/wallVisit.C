@@ -1,0 +1,933 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "wallVisit.H"
+#include "shadowKernels.H"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+
+using namespace impact;
+
+//- A body at one instant
+struct pose
+{
+    double x, y;
+    rotationState rotation;
+};
+
+
+//- The point of least height above the relief
+struct lowest
+{
+    double gap;
+    double x;
+    double slope;       // of the relief
+    vector3 r;          // body components
+};
+
+
+inline double heightIn(const relief::interval& s, double x)
+{
+    const double u = x - s.x0;
+    return s.c0 + u*(s.c1 + u*(s.c2 + u*s.c3));
+}
+
+inline double slopeIn(const relief::interval& s, double x)
+{
+    const double u = x - s.x0;
+    return s.c1 + u*(2*s.c2 + 3*u*s.c3);
+}
+
+inline double bendIn(const relief::interval& s, double x)
+{
+    return 2*s.c2 + 6*(x - s.x0)*s.c3;
+}
+
+
+class polygonShadow
+{
+    //- Arrays of one thread
+    struct scratch
+    {
+        std::vector<double> X, Y, gap, bound, intervals;
+
+        static scratch& ofThread()
+        {
+            static thread_local scratch s;
+            return s;
+        }
+
+        void reserve(int vertices, int edges)
+        {
+            if (int(X.size()) < vertices || int(bound.size()) < edges)
+            {
+                X.resize(vertices);
+                Y.resize(vertices);
+                gap.resize(vertices);
+                bound.resize(edges);
+            }
+        }
+    };
+
+public:
+
+    static lowest find
+    (
+        const convexBody& body,
+        const pose& p,
+        reliefPiece& piece,
+        std::int64_t hint
+    )
+    {
+        const auto& vertices = body.vertices();
+        const auto& padded = body.paddedVertices();
+        const auto& edges = body.edges();
+        const auto& paddedEdges = body.paddedEdges();
+        const int n = int(vertices.size());
+        const int room = int(padded.size())/3;
+        const int edgeRoom = int(paddedEdges.size())/2;
+        scratch& w = scratch::ofThread();
+        w.reserve(room, edgeRoom);
+        double* X = w.X.data();
+        double* Y = w.Y.data();
+        double* G = w.gap.data();
+
+        // The intervals under the circumscribed circle
+        const double R = body.radius();
+        const std::int64_t first = piece.find(p.x - R, hint);
+        const std::int64_t last = piece.find(p.x + R, first);
+        double crest = 0;
+        w.intervals.clear();
+        for (std::int64_t k = first; k <= last; ++k)
+        {
+            const relief::interval& s = piece.at(k);
+            crest = std::max(crest, s.crest);
+            w.intervals.insert
+            (
+                w.intervals.end(), {s.x0, s.c0, s.c1, s.c2, s.c3}
+            );
+        }
+        const vector3& ex = p.rotation.ex;
+        const vector3& ey = p.rotation.ey;
+        const double pose[8] =
+            {p.x, p.y, ex.x, ex.y, ex.z, ey.x, ey.y, ey.z};
+        shadowGaps
+        (
+            room, padded.data(), pose, int(last - first + 1),
+            w.intervals.data(), X, Y, G
+        );
+        int best = 0;
+        for (int i = 1; i < n; ++i)
+        {
+            best = G[i] < G[best] ? i : best;
+        }
+        std::int64_t under = first;
+        while (under < last && X[best] >= piece.at(under).x1)
+        {
+            ++under;
+        }
+
+        lowest out;
+        out.gap = G[best];
+        out.x = X[best];
+        out.slope = slopeIn(piece.at(under), X[best]);
+        out.r = vertices[best];
+        bool vertex = true;
+
+        // A crest may reach the inside of an edge: no deeper below the lower
+        // of its ends than the sag of the sharpest crest over its length
+        if (crest > 0)
+        {
+            edgeBounds
+            (
+                edgeRoom, paddedEdges.data(), X, G, crest, w.bound.data()
+            );
+        }
+        for (std::size_t k = 0; crest > 0 && k < edges.size(); ++k)
+        {
+            if (w.bound[k] >= out.gap)
+            {
+                continue;
+            }
+            const int i = edges[k][0], j = edges[k][1];
+            const double dx = X[j] - X[i];
+            if (dx == 0)
+            {
+                continue;
+            }
+            const double m = (Y[j] - Y[i])/dx;
+            const double xa = std::min(X[i], X[j]);
+            const double xb = std::max(X[i], X[j]);
+            for (std::int64_t l = first; l <= last; ++l)
+            {
+                const relief::interval& s = piece.at(l);
+                if (s.x1 <= xa || s.x0 >= xb || !(s.crest > 0))
+                {
+                    continue;
+                }
+                // Slope of the relief equal to m, falling
+                const double q = s.c1 - m;
+                const double disc = s.c2*s.c2 - 3*s.c3*q;
+                if (!(disc > 0))
+                {
+                    continue;
+                }
+                const double root = std::sqrt(disc);
+                const double den = root - s.c2;
+                double u;
+                if (s.c2 <= 0 || s.c3 == 0)
+                {
+                    if (!(den > 0))
+                    {
+                        continue;
+                    }
+                    u = q/den;
+                }
+                else
+                {
+                    u = (-s.c2 - root)/(3*s.c3);
+                }
+                const double x = s.x0 + u;
+                if (!(x > std::max(xa, s.x0)) || !(x < std::min(xb, s.x1)))
+                {
+                    continue;
+                }
+                const double f = (x - X[i])/dx;
+                const double gap = Y[i] + f*(Y[j] - Y[i]) - heightIn(s, x);
+                if (gap < out.gap)
+                {
+                    out.gap = gap;
+                    out.x = x;
+                    out.slope = m;
+                    out.r = vertices[i] + f*(vertices[j] - vertices[i]);
+                    vertex = false;
+                }
+            }
+        }
+
+        // Several vertices over the same point of the curve: an edge across
+        // the relief touches it along its length; its centre is the contact
+        if (vertex)
+        {
+            const double near = 1e-9*body.radius();
+            vector3 sum = {0, 0, 0};
+            int count = 0;
+            for (int i = 0; i < n; ++i)
+            {
+                if
+                (
+                    std::fabs(X[i] - out.x) < near
+                 && std::fabs(G[i] - out.gap) < near
+                )
+                {
+                    sum = sum + vertices[i];
+                    ++count;
+                }
+            }
+            if (count > 1)
+            {
+                out.r = (1./count)*sum;
+            }
+        }
+        return out;
+    }
+};
+
+
+class ellipseShadow
+{
+    //- y = cy + k xi w - d sqrt(1 - xi^2), x = cx + w xi; in the variable
+    //  p = xi/sqrt(1 - xi^2) the lower arc has the slope k + (d/w) p
+    double cx_, cy_, w_, k_, d_;
+
+    double xOf(double p) const
+    {
+        return cx_ + w_*p/std::sqrt(1 + p*p);
+    }
+
+    //- Sign of the slope of the gap, and its derivative
+    double excess(const relief::interval& s, double p, double& rate) const
+    {
+        const double q = 1/std::sqrt(1 + p*p);
+        const double x = cx_ + w_*p*q;
+        const double f = w_/d_;
+        rate = 1 - bendIn(s, x)*f*w_*q*q*q;
+        return p - (slopeIn(s, x) - k_)*f;
+    }
+
+    double gapAt(const relief::interval& s, double p) const
+    {
+        const double q = 1/std::sqrt(1 + p*p);
+        const double xi = p*q;
+        return cy_ + k_*w_*xi - d_*q - heightIn(s, cx_ + w_*xi);
+    }
+
+    //- Root of the excess, which rises from lo to hi
+    double rising(const relief::interval& s, double lo, double hi) const
+    {
+        double p = std::max
+        (
+            lo,
+            std::min(hi, (slopeIn(s, xOf(0.5*(lo + hi))) - k_)*w_/d_)
+        );
+        for (int i = 0; i < 100; ++i)
+        {
+            double rate;
+            const double e = excess(s, p, rate);
+            (e > 0 ? hi : lo) = p;
+            if (rate > 0)
+            {
+                // An error of p left here comes back squared
+                const double step = e/rate;
+                if (std::fabs(step) <= 1e-5*(1 + std::fabs(p)))
+                {
+                    return p - step;
+                }
+                p -= step;
+                if (p > lo && p < hi)
+                {
+                    continue;
+                }
+            }
+            p = 0.5*(lo + hi);
+        }
+        return p;
+    }
+
+
+public:
+
+    static lowest find
+    (
+        const convexBody& body,
+        const pose& p,
+        reliefPiece& piece,
+        std::int64_t hint
+    )
+    {
+        const vector3& a = body.semiAxes();
+        const vector3 X = multiply(a, p.rotation.ex);
+        const vector3 Y = multiply(a, p.rotation.ey);
+        const double Qxx = dot(X, X);
+        const double Qxy = dot(X, Y);
+        const vector3 Z = cross(X, Y);
+
+        ellipseShadow e;
+        e.cx_ = p.x;
+        e.cy_ = p.y;
+        e.w_ = std::sqrt(Qxx);
+        e.k_ = Qxy/Qxx;
+        e.d_ = mag(Z)/e.w_;
+
+        const double bottom = p.y - mag(Y);
+        const double left = p.x - e.w_;
+        const double right = p.x + e.w_;
+        const double endless = 1e8;
+
+        lowest out;
+        out.gap = 1e300;
+        double bestP = 0;
+        std::int64_t best = 0;
+        auto offer = [&](std::int64_t n, const relief::interval& s, double P)
+        {
+            const double g = e.gapAt(s, P);
+            if (g < out.gap)
+            {
+                out.gap = g;
+                bestP = P;
+                best = n;
+            }
+        };
+
+        for
+        (
+            std::int64_t n = piece.find(left, hint);
+            piece.at(n).x0 < right;
+            ++n
+        )
+        {
+            const relief::interval& s = piece.at(n);
+            if (bottom - s.top >= out.gap)
+            {
+                continue;
+            }
+            // The part of the arc over this interval
+            auto pOf = [&](double x)
+            {
+                const double xi = (x - e.cx_)/e.w_;
+                const double rest = 1 - xi*xi;
+                return rest > 1e-16
+                  ? xi/std::sqrt(rest) : (xi > 0 ? endless : -endless);
+            };
+            const bool cutLo = s.x0 > left;
+            const bool cutHi = s.x1 < right;
+            const double lo = cutLo ? pOf(s.x0) : -endless;
+            const double hi = cutHi ? pOf(s.x1) : endless;
+            const double f = e.w_/e.d_;
+            const double eLo = cutLo ? lo - (s.c1 - e.k_)*f : -1;
+            const double eHi =
+                cutHi ? hi - (slopeIn(s, s.x1) - e.k_)*f : 1;
+
+            // Does the excess rise throughout? Its rate is 1 - bend/bend of
+            // the arc; the arc is flattest where p is nearest to 0
+            const double flat =
+                lo > 0 ? lo : hi < 0 ? hi : 0;
+            const double bend = std::max
+            (
+                bendIn(s, std::max(s.x0, left)),
+                bendIn(s, std::min(s.x1, right))
+            );
+            const double q2 = flat == 0 ? 1 : 1/(1 + flat*flat);
+            if (bend*e.w_*f*q2*(flat == 0 ? 1 : std::sqrt(q2)) < 1)
+            {
+                offer
+                (
+                    n, s,
+                    eLo >= 0 ? lo : eHi <= 0 ? hi : e.rising(s, lo, hi)
+                );
+                continue;
+            }
+
+            // A pit sharper than the arc. The bend of the arc less that of
+            // the relief is a convex function of x: it has at most two
+            // zeros, the excess rises, falls, rises, and its leftmost and
+            // rightmost roots are the two minima of the gap
+            double peak = lo, trough = hi;
+            double rateLo, rateHi;
+            e.excess(s, lo, rateLo);
+            e.excess(s, hi, rateHi);
+            turningPoints(e, s, lo, hi, rateLo, rateHi, peak, trough);
+            double r;
+            if (eLo >= 0)
+            {
+                offer(n, s, lo);
+            }
+            else if (e.excess(s, peak, r) >= 0)
+            {
+                offer(n, s, e.rising(s, lo, peak));
+            }
+            if (eHi <= 0)
+            {
+                offer(n, s, hi);
+            }
+            else if (e.excess(s, trough, r) <= 0)
+            {
+                offer(n, s, e.rising(s, trough, hi));
+            }
+        }
+
+        // Point of the body on the arc: the support along (slope, -1), the
+        // outward normal of the arc there
+        const relief::interval& s = piece.at(best);
+        out.x = e.xOf(bestP);
+        out.slope = slopeIn(s, out.x);
+        const double m = e.k_ + e.d_/e.w_*bestP;
+        const vector3 n = multiply(a, m*p.rotation.ex - p.rotation.ey);
+        out.r = (1/mag(n))*multiply(a, n);
+        return out;
+    }
+
+
+private:
+
+    //- Ends of the first and of the last part on which the excess rises
+    static void turningPoints
+    (
+        const ellipseShadow& e,
+        const relief::interval& s,
+        double lo,
+        double hi,
+        double rateLo,
+        double rateHi,
+        double& peak,
+        double& trough
+    )
+    {
+        // Least value of U(x) = bend of the arc - bend of the relief by
+        // golden section in p (U is convex in x, so it has one minimum in p)
+        auto U = [&](double p)
+        {
+            const double c = 1 + p*p;
+            return e.d_/(e.w_*e.w_)*c*std::sqrt(c) - bendIn(s, e.xOf(p));
+        };
+        double a = std::max(lo, -1e3), b = std::min(hi, 1e3);
+        const double golden = 0.6180339887498949;
+        double x1 = b - golden*(b - a), x2 = a + golden*(b - a);
+        double u1 = U(x1), u2 = U(x2);
+        for (int i = 0; i < 40 && u1 > 0 && u2 > 0; ++i)
+        {
+            if (u1 < u2)
+            {
+                b = x2;
+                x2 = x1;
+                u2 = u1;
+                x1 = b - golden*(b - a);
+                u1 = U(x1);
+            }
+            else
+            {
+                a = x1;
+                x1 = x2;
+                u1 = u2;
+                x2 = a + golden*(b - a);
+                u2 = U(x2);
+            }
+        }
+        const double low = u1 < u2 ? x1 : x2;
+        auto zero = [&](double inside, double outside)
+        {
+            for (int i = 0; i < 60; ++i)
+            {
+                const double mid = 0.5*(inside + outside);
+                (U(mid) > 0 ? outside : inside) = mid;
+            }
+            return outside;
+        };
+        const bool dips = U(low) <= 0;
+        peak = rateLo <= 0 ? lo : dips ? zero(low, lo) : low;
+        trough = rateHi <= 0 ? hi : dips ? zero(low, hi) : low;
+    }
+};
+
+
+//- When may the circumscribed circle first reach the relief, from time t on?
+//  Infinite if never
+double leap
+(
+    const bodyState& b,
+    double R,
+    double t,
+    reliefPiece& piece,
+    std::int64_t& hint,
+    bool& lost
+)
+{
+    const double infinite = std::numeric_limits<double>::infinity();
+    const double vx = b.V.x;
+    const double vy = b.V.y;
+    const double y = b.y + vy*t;
+    const double top = piece.model().top();
+
+    // Above everything: straight down to the highest top there may be
+    double start = t;
+    if (y - R > top)
+    {
+        if (vy >= 0)
+        {
+            return infinite;
+        }
+        start = t + (top + R - y)/vy;
+    }
+    const double xs = b.x + vx*start;
+    const int step = vx < 0 ? -1 : 1;
+    std::int64_t n = piece.find(vx < 0 ? xs + R : xs - R, hint);
+    hint = n;
+    double found = infinite;
+    for (int count = 0; ; ++count, n += step)
+    {
+        const relief::interval& s = piece.at(n);
+
+        // The circle is over this interval from 'enter' to 'leave'
+        double enter = start;
+        double leave = infinite;
+        if (vx > 0)
+        {
+            enter = std::max(start, (s.x0 - R - b.x)/vx);
+            leave = (s.x1 + R - b.x)/vx;
+        }
+        else if (vx < 0)
+        {
+            enter = std::max(start, (s.x1 + R - b.x)/vx);
+            leave = (s.x0 - R - b.x)/vx;
+        }
+        else if (s.x0 > xs + R)
+        {
+            break;
+        }
+        if (enter >= found)
+        {
+            break;
+        }
+        // Lowest point of the circle against the top of the interval
+        const double room = b.y + vy*enter - R - s.top;
+        if (room <= 0)
+        {
+            found = std::min(found, enter);
+        }
+        else if (vy < 0)
+        {
+            const double reach = enter - room/vy;
+            if (reach <= leave)
+            {
+                found = std::min(found, reach);
+            }
+        }
+        if (vy >= 0 && b.y + vy*enter - R > top)
+        {
+            break;
+        }
+        if (count > 10000000)
+        {
+            lost = true;
+            break;
+        }
+    }
+    // Round-off must not carry past
+    return found == infinite ? found
+        : std::max(t, found - 1e-12*(found - t));
+}
+
+} // End anonymous namespace
+
+
+impact::wallVisit::wallVisit
+(
+    const convexBody& body,
+    const reboundLaw& law,
+    treatmentType treatment,
+    int maxImpacts
+)
+:
+    body_(&body),
+    law_(law),
+    treatment_(treatment),
+    maxImpacts_(maxImpacts)
+{}
+
+
+template<class Shadow>
+impact::contactPoint impact::wallVisit::search
+(
+    const bodyState& state,
+    freeRotation& rotation,
+    bool touching,
+    reliefPiece& piece,
+    std::int64_t& hint,
+    bool& lost
+) const
+{
+    const double R = body_->radius();
+    const double tolerance = 1e-11*R;
+
+    // Passing the relief at a smaller depth is not a contact: without it a
+    // body that rolls would be followed in steps of the size of round-off
+    const double allowed = 1e-10*R;
+    const double omega = rotation.atRest() ? 0 : rotation.maxOmega();
+    const double acceleration =
+        rotation.atRest() ? 0 : rotation.maxAcceleration();
+    const double speed =
+        std::sqrt(state.V.x*state.V.x + state.V.y*state.V.y);
+    const double fastest = speed + omega*R;
+    const double speedX = std::fabs(state.V.x) + omega*R;
+    const double least = 1e-10*R/fastest;
+
+    contactPoint none = {false, 0, 0, 0, 0, {0, 0, 0}};
+    if (!(fastest > 0))
+    {
+        lost = true;
+        return none;
+    }
+
+    auto evaluate = [&](double t, double& rate)
+    {
+        pose p;
+        p.x = state.x + state.V.x*t;
+        p.y = state.y + state.V.y*t;
+        if (rotation.atRest() || body_->isSphere())
+        {
+            p.rotation = state.rotation;
+        }
+        else
+        {
+            rotation.evaluate(t, p.rotation);
+        }
+        const lowest l = Shadow::find(*body_, p, piece, hint);
+        const vector3 spin = cross(p.rotation.omega, l.r);
+        const double vx = state.V.x + dot(spin, p.rotation.ex);
+        const double vy = state.V.y + dot(spin, p.rotation.ey);
+        rate = vy - l.slope*vx;
+        return l;
+    };
+    auto contact = [&](double t, const lowest& l)
+    {
+        return contactPoint{true, t, l.gap, l.slope, l.x, l.r};
+    };
+
+    double t0 = 0;
+    bool known = false;
+    lowest low0;
+    double rate0 = 0;
+    for (int count = 0; ; ++count)
+    {
+        if (count > 1000000)
+        {
+            lost = true;
+            return none;
+        }
+        const double jump = leap(state, R, t0, piece, hint, lost);
+        if (lost || jump == std::numeric_limits<double>::infinity())
+        {
+            return none;
+        }
+        if (jump > t0)
+        {
+            t0 = jump;
+            known = false;
+        }
+        while (t0 >= rotation.horizon())
+        {
+            rotationState now;
+            const double to = rotation.horizon();
+            rotation.evaluate(to, now);
+            rotation.restart(to, now);
+        }
+        if (!known)
+        {
+            low0 = evaluate(t0, rate0);
+            known = true;
+        }
+        const double g0 = std::max(low0.gap, 0.);
+        if (low0.gap <= tolerance && !(touching && count == 0) && rate0 < 0)
+        {
+            return contact(t0, low0);
+        }
+
+        // Bounds over what the body can reach within the longest step
+        double limit = 2*R/fastest;
+        if (speed > 0)
+        {
+            limit = std::max(limit, 0.5*R/speed);
+        }
+        limit = std::min(limit, rotation.horizon() - t0);
+        double steep = 0, crest = 0;
+        {
+            const double xa = state.x + state.V.x*t0;
+            const double xb = xa + state.V.x*limit;
+            std::int64_t n = piece.find(std::min(xa, xb) - R, hint);
+            hint = n;
+            const double end = std::max(xa, xb) + R;
+            for (; piece.at(n).x0 < end; ++n)
+            {
+                steep = std::max(steep, piece.at(n).steep);
+                crest = std::max(crest, piece.at(n).crest);
+            }
+        }
+        const double B =
+            1.0001*(acceleration*std::sqrt(1 + steep*steep)
+          + crest*speedX*speedX) + 1e-30*fastest*fastest/R;
+        const double reach = std::sqrt(2/B);
+        const double root0 = std::sqrt(g0 + allowed);
+
+        double tau;
+        if (low0.gap <= tolerance)
+        {
+            tau = std::max(rate0/B, least);
+        }
+        else
+        {
+            tau = 1.6*reach*root0;
+            if (rate0 < 0)
+            {
+                tau = std::min(tau, -g0/rate0);
+            }
+        }
+        tau = std::min(tau, limit);
+
+        // Shorten the step until it is certain, or ends at a contact
+        for (int k = 0; ; ++k)
+        {
+            const double t1 = t0 + tau;
+            double rate1;
+            const lowest low1 = evaluate(t1, rate1);
+            const double root1 =
+                std::sqrt(std::max(low1.gap, 0.) + allowed);
+            const bool clear = root0 + root1 > tau/reach;
+            if (low1.gap >= -tolerance)
+            {
+                if (clear || tau <= least)
+                {
+                    if (low1.gap <= tolerance && rate1 < 0)
+                    {
+                        return contact(t1, low1);
+                    }
+                    t0 = t1;
+                    low0 = low1;
+                    rate0 = rate1;
+                    break;
+                }
+                tau = std::max
+                (
+                    least,
+                    std::min(0.9*reach*(root0 + root1), 0.9*tau)
+                );
+                continue;
+            }
+            // The relief is pierced within the step
+            if (tau <= least)
+            {
+                return contact(t1, low1);
+            }
+            if (k > 1000)
+            {
+                lost = true;
+                return none;
+            }
+            double next = rate1 < 0 ? tau - low1.gap/rate1 : -1;
+            if (!(next > 0 && next < tau))
+            {
+                next = tau*g0/(g0 - low1.gap);
+            }
+            if (!(next > 0.01*tau))
+            {
+                next = 0.01*tau;
+            }
+            if (next >= reach*root0)
+            {
+                next = std::min(0.999*reach*root0, 0.9*tau);
+            }
+            tau = std::max(least, std::min(next, 0.9999999*tau));
+        }
+    }
+}
+
+
+template<class Shadow>
+impact::visitResult impact::wallVisit::visitWith
+(
+    bodyState state,
+    reliefPiece& piece,
+    std::int64_t hint,
+    int impacts
+) const
+{
+    visitResult out = {};
+    const double small = 1e-3*mag(state.V);
+    const vector3& J = body_->inertia();
+    const vector3& spin = state.rotation.omega;
+    out.energyOnArrival =
+        0.5*(dot(state.V, state.V) + dot(multiply(J, spin), spin));
+    bool touching = impacts > 0;
+    bool lost = false;
+    for (;;)
+    {
+        freeRotation rotation(*body_, state.rotation);
+        const contactPoint c =
+            search<Shadow>(state, rotation, touching, piece, hint, lost);
+        if (lost)
+        {
+            out.capped = true;
+        }
+        if (!c.found)
+        {
+            break;
+        }
+        if (treatment_ == treatmentType::firstImpact && impacts > 0)
+        {
+            // Would strike again
+            out.second = true;
+            break;
+        }
+        if (impacts >= maxImpacts_)
+        {
+            out.capped = true;
+            break;
+        }
+
+        // The orientation of a sphere is of no account
+        rotationState at = state.rotation;
+        if (!body_->isSphere())
+        {
+            rotation.evaluate(c.time, at);
+        }
+        const double f = 1/std::sqrt(1 + c.slope*c.slope);
+        const vector3 n = f*(at.ey - c.slope*at.ex);
+        const vector3 ez = at.ez();
+        const vector3 V =
+            state.V.x*at.ex + state.V.y*at.ey + state.V.z*ez;
+        state.x += state.V.x*c.time;
+        state.y += state.V.y*c.time;
+        touching = true;
+
+        const impactRecord record =
+            law_.impact(J, c.r, n, V, at.omega);
+        state.rotation = at;
+        if (record.approachSpeed > 0)
+        {
+            out.second = out.second || impacts > 0;
+            const vector3 V2 = V + record.dV;
+            state.V = {dot(V2, at.ex), dot(V2, at.ey), dot(V2, ez)};
+            state.rotation.omega = at.omega + record.dOmega;
+            if (impacts == 0)
+            {
+                out.intoWall = state.V.y <= 0;
+            }
+            ++(record.approachSpeed > small ? out.impacts : out.microImpacts);
+            out.pulling += record.pulling;
+            out.gaining += record.gainsEnergy();
+        }
+        ++impacts;
+    }
+    out.state = state;
+    return out;
+}
+
+
+impact::visitResult impact::wallVisit::visit
+(
+    const bodyState& state,
+    reliefPiece& piece,
+    std::int64_t hint
+) const
+{
+    return body_->shape() == convexBody::shapeType::ellipsoid
+      ? visitWith<ellipseShadow>(state, piece, hint, 0)
+      : visitWith<polygonShadow>(state, piece, hint, 0);
+}
+
+
+impact::visitResult impact::wallVisit::resume
+(
+    const bodyState& state,
+    int impacts,
+    reliefPiece& piece,
+    std::int64_t hint
+) const
+{
+    return body_->shape() == convexBody::shapeType::ellipsoid
+      ? visitWith<ellipseShadow>(state, piece, hint, impacts)
+      : visitWith<polygonShadow>(state, piece, hint, impacts);
+}
+
+
+impact::contactPoint impact::wallVisit::firstContact
+(
+    const bodyState& state,
+    reliefPiece& piece,
+    std::int64_t hint
+) const
+{
+    freeRotation rotation(*body_, state.rotation);
+    bool lost = false;
+    return body_->shape() == convexBody::shapeType::ellipsoid
+      ? search<ellipseShadow>(state, rotation, false, piece, hint, lost)
+      : search<polygonShadow>(state, rotation, false, piece, hint, lost);
+}
+
+
+double impact::wallVisit::gap
+(
+    const bodyState& state,
+    reliefPiece& piece,
+    std::int64_t hint
+) const
+{
+    const pose p = {state.x, state.y, state.rotation};
+    return body_->shape() == convexBody::shapeType::ellipsoid
+      ? ellipseShadow::find(*body_, p, piece, hint).gap
+      : polygonShadow::find(*body_, p, piece, hint).gap;
+}

@@ -1,0 +1,315 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+
+Description
+    Both laws of rebound against what holds for any rigid impact: angular
+    momentum about the contact, the energy balance, the closed solutions for
+    a sphere, and a plain integration of the friction law.
+\*---------------------------------------------------------------------------*/
+
+#include "reboundLaw.H"
+#include "convexBody.H"
+#include "counterRandom.H"
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+#include <cmath>
+#include <stdexcept>
+
+using namespace impact;
+
+namespace
+{
+
+Eigen::Vector3d eigen(const vector3& v)
+{
+    return {v.x, v.y, v.z};
+}
+
+
+Eigen::Matrix3d skew(const vector3& v)
+{
+    Eigen::Matrix3d m;
+    m << 0, -v.z, v.y, v.z, 0, -v.x, -v.y, v.x, 0;
+    return m;
+}
+
+
+vector3 randomUnit(counterRandom& rnd)
+{
+    const vector3 v = {rnd.normal(), rnd.normal(), rnd.normal()};
+    return (1/mag(v))*v;
+}
+
+
+struct randomImpact
+{
+    convexBody body = convexBody::sphere(1);
+    vector3 n, r, V, omega;
+
+    explicit randomImpact(int i)
+    {
+        counterRandom rnd(3, i);
+        const double a = 0.2 + rnd.uniform();
+        const double b = 0.2 + rnd.uniform();
+        const double c = 0.2 + rnd.uniform();
+        body = i % 3 == 0 ? convexBody::ellipsoid({a, b, c})
+          : i % 3 == 1 ? convexBody::box({a, b, c})
+          : convexBody::truncatedBox({a, b, c}, 0.25);
+        n = randomUnit(rnd);
+        r = body.support(-n);
+        do
+        {
+            V = (100*rnd.uniform())*randomUnit(rnd);
+            omega = (100*rnd.uniform()/a)*randomUnit(rnd);
+        }
+        while (dot(n, V + cross(omega, r)) >= -1);
+    }
+
+    //- Impulse to change of the velocity of the contact point
+    Eigen::Matrix3d inverseMass() const
+    {
+        const Eigen::Matrix3d R = skew(r);
+        const Eigen::Vector3d J = eigen(body.inertia());
+        return Eigen::Matrix3d::Identity()
+          - R*J.cwiseInverse().asDiagonal()*R;
+    }
+};
+
+} // End anonymous namespace
+
+
+TEST(reboundLaw, solvesTheEquationsOfTheRigidImpact)
+{
+    const reboundLaw law = reboundLaw::restitution(0.7, 0.2);
+    for (int i = 0; i < 3000; ++i)
+    {
+        const randomImpact c(i);
+        const impactRecord out =
+            law.impact(c.body.inertia(), c.r, c.n, c.V, c.omega);
+        const vector3 Vc = c.V + cross(c.omega, c.r);
+        const double scale = mag(Vc) + mag(c.V);
+
+        // The velocity of the contact point is what the law says
+        const vector3 after =
+            c.V + out.dV + cross(c.omega + out.dOmega, c.r);
+        const double vn = dot(Vc, c.n);
+        const vector3 wanted = 0.2*(Vc - vn*c.n) - (0.7*vn)*c.n;
+        EXPECT_LT(mag(after - wanted), 1e-12*scale);
+
+        // Angular momentum about the contact is kept
+        const vector3 dL =
+            multiply(c.body.inertia(), out.dOmega) - cross(c.r, out.dV);
+        EXPECT_LT(mag(dL), 1e-12*scale*c.body.radius());
+
+        // The dense solution
+        const Eigen::Matrix3d A =
+            Eigen::Matrix3d(eigen(c.body.inertia()).asDiagonal())
+          + dot(c.r, c.r)*Eigen::Matrix3d::Identity()
+          - eigen(c.r)*eigen(c.r).transpose();
+        const Eigen::Vector3d dense =
+            A.ldlt().solve(eigen(cross(c.r, wanted - Vc)));
+        EXPECT_LT
+        (
+            (dense - eigen(out.dOmega)).norm(),
+            1e-11*(dense.norm() + scale/c.body.radius())
+        );
+    }
+}
+
+
+TEST(reboundLaw, changesTheEnergyByTheIdentity)
+{
+    const double an = 0.8, at = 0.3;
+    const reboundLaw law = reboundLaw::restitution(an, at);
+    for (int i = 0; i < 3000; ++i)
+    {
+        const randomImpact c(i);
+        const impactRecord out =
+            law.impact(c.body.inertia(), c.r, c.n, c.V, c.omega);
+
+        // dT = -1/2 [(1 - at^2) u M_tt u + (1 - an^2) M_nn v^2
+        //            + 2 (1 + an at) v u M_tn], M the effective mass
+        const Eigen::Matrix3d M = c.inverseMass().inverse();
+        const vector3 Vc = c.V + cross(c.omega, c.r);
+        const double v = dot(Vc, c.n);
+        const Eigen::Vector3d n = eigen(c.n);
+        const Eigen::Vector3d u = eigen(Vc) - v*n;
+        const double expected = -0.5
+           *(
+                (1 - at*at)*u.dot(M*u) + (1 - an*an)*v*v*n.dot(M*n)
+              + 2*(1 + an*at)*v*u.dot(M*n)
+            );
+        EXPECT_NEAR(out.energyChange, expected, 1e-12*out.energyBefore);
+        EXPECT_EQ
+        (
+            out.pulling,
+            dot(c.n, out.dV) < 0
+        );
+    }
+}
+
+
+TEST(reboundLaw, isLosslessWhenTheContactVelocityIsReversed)
+{
+    const reboundLaw law = reboundLaw::restitution(1, -1);
+    for (int i = 0; i < 3000; ++i)
+    {
+        const randomImpact c(i);
+        const impactRecord out =
+            law.impact(c.body.inertia(), c.r, c.n, c.V, c.omega);
+        EXPECT_LT(std::fabs(out.energyChange), 1e-12*out.energyBefore);
+    }
+}
+
+
+TEST(reboundLaw, boundsTheEnergyOnlyUpToTheKnownRestitution)
+{
+    // Largest normal restitution, with no slip on leaving, for which no
+    // orientation and no velocity gains energy: from dT <= 0 for all u and v,
+    // (1 - an^2) M_nn >= M_tn M_tt^-1 M_nt
+    auto bound = [](const convexBody& body)
+    {
+        double least = 1;
+        counterRandom rnd(8);
+        for (int i = 0; i < 200000; ++i)
+        {
+            const vector3 n = randomUnit(rnd);
+            const vector3 r = body.support(-n);
+            const Eigen::Matrix3d R = skew(r);
+            const Eigen::Matrix3d W = Eigen::Matrix3d::Identity()
+              - R*eigen(body.inertia()).cwiseInverse().asDiagonal()*R;
+            // M_nn - M_nt M_tt^-1 M_tn = 1/W_nn
+            const Eigen::Vector3d e = eigen(n);
+            const double Mnn = e.dot(W.inverse()*e);
+            const double Wnn = e.dot(W*e);
+            least = std::min(least, 1/(Mnn*Wnn));
+        }
+        return std::sqrt(least);
+    };
+    EXPECT_NEAR(bound(convexBody::sphere(1)), 1, 1e-12);
+    EXPECT_NEAR(bound(convexBody::ellipsoid({1, 0.8, 0.8})), 0.961, 0.002);
+    EXPECT_NEAR(bound(convexBody::box({1, 0.8, 0.8})), 0.707, 0.01);
+}
+
+
+TEST(reboundLaw, reboundsASphereAtItsAngle)
+{
+    const convexBody ball = convexBody::sphere(32e-6);
+    for (double degrees : {0.01, 15., 45., 80., 89.99})
+    {
+        const double a1 = degrees*M_PI/180;
+        const vector3 V = {std::cos(a1), -std::sin(a1), 0};
+        const vector3 r = {0, -16e-6, 0};
+        const vector3 n = {0, 1, 0};
+        for (double an : {0., 0.8, 1.})
+        {
+            const impactRecord out = reboundLaw::restitution(an).impact
+                (ball.inertia(), r, n, V, {0, 0, 0});
+            const vector3 V2 = V + out.dV;
+            EXPECT_NEAR
+            (
+                std::atan2(V2.y, V2.x),
+                std::atan2(an*std::sin(a1), 5*std::cos(a1)/7),
+                1e-14
+            );
+        }
+    }
+}
+
+
+TEST(reboundLaw, frictionOfASphereIsInClosedForm)
+{
+    // Gross slip, or rolling at the end: e is kinematic for a sphere
+    const convexBody ball = convexBody::sphere(2);
+    const vector3 r = {0, -1, 0}, n = {0, 1, 0};
+    const vector3 V = {3, -2, 1};
+    const double e = 0.8;
+    const double ut = std::hypot(V.x, V.z);
+    for (double mu : {0., 0.05, 0.2, 0.24, 0.26, 0.3, 1.})
+    {
+        const impactRecord out = reboundLaw::coulomb(e, mu).impact
+            (ball.inertia(), r, n, V, {0, 0, 0});
+        const double jn = (1 + e)*2;
+        const double jt = std::min(mu*jn, 2./7*ut);
+        EXPECT_NEAR(out.dV.y, jn, 1e-8);
+        EXPECT_NEAR(out.dV.x, -jt*V.x/ut, 1e-8);
+        EXPECT_NEAR(out.dV.z, -jt*V.z/ut, 1e-8);
+    }
+}
+
+
+TEST(reboundLaw, frictionNeitherPullsNorLeavesItsConeNorMakesEnergy)
+{
+    int sticking = 0;
+    for (int i = 0; i < 3000; ++i)
+    {
+        const randomImpact c(i);
+        const double mu = 0.1*(1 + i % 12);
+        const double e = 0.1*(i % 11);
+        const impactRecord out = reboundLaw::coulomb(e, mu).impact
+            (c.body.inertia(), c.r, c.n, c.V, c.omega);
+        const double pn = dot(out.dV, c.n);
+        EXPECT_GT(pn, 0);
+        EXPECT_FALSE(out.pulling);
+        EXPECT_LE(mag(out.dV - pn*c.n), mu*pn*(1 + 1e-9));
+        EXPECT_LE(out.energyChange, 1e-9*out.energyBefore);
+        EXPECT_FALSE(out.energyChange > 1e-9*out.energyBefore);
+        const vector3 dL =
+            multiply(c.body.inertia(), out.dOmega) - cross(c.r, out.dV);
+        EXPECT_LT(mag(dL), 1e-12*mag(out.dV)*c.body.radius() + 1e-12);
+        const vector3 Vc =
+            c.V + out.dV + cross(c.omega + out.dOmega, c.r);
+        EXPECT_GE(dot(Vc, c.n), -1e-9*mag(c.V));
+        sticking += mag(Vc - dot(Vc, c.n)*c.n) < 1e-8*mag(c.V);
+    }
+    EXPECT_GT(sticking, 100);
+    EXPECT_LT(sticking, 2900);
+}
+
+
+TEST(reboundLaw, frictionAgreesWithAPlainIntegration)
+{
+    // Euler steps of the impulse with friction smoothed around rest:
+    // independent of every event of the implementation
+    for (int i = 0; i < 12; ++i)
+    {
+        const randomImpact c(i);
+        const double mu = 0.2 + 0.1*(i % 4);
+        const double e = 0.6;
+        const Eigen::Matrix3d W = c.inverseMass();
+        const Eigen::Vector3d n = eigen(c.n);
+        Eigen::Vector3d v = eigen(c.V + cross(c.omega, c.r));
+        const double v0 = v.norm();
+        Eigen::Vector3d S = Eigen::Vector3d::Zero();
+        double work = 0, least = 0;
+        const double dp = 2e-6*v0;
+        for (int k = 0; k < 20000000; ++k)
+        {
+            const Eigen::Vector3d t = v - v.dot(n)*n;
+            const Eigen::Vector3d d =
+                n - mu*t/std::sqrt(t.squaredNorm() + 1e-8*v0*v0);
+            S += dp*d;
+            work += dp*(v.dot(n) + 0.5*dp*n.dot(W*d));
+            v += dp*(W*d);
+            least = std::min(least, work);
+            if (v.dot(n) > 0 && work >= least*(1 - e*e))
+            {
+                break;
+            }
+        }
+        const impactRecord out = reboundLaw::coulomb(e, mu).impact
+            (c.body.inertia(), c.r, c.n, c.V, c.omega);
+        EXPECT_LT((eigen(out.dV) - S).norm(), 2e-3*S.norm()) << "run " << i;
+    }
+}
+
+
+TEST(reboundLaw, refusesParametersOutOfRange)
+{
+    EXPECT_THROW(reboundLaw::restitution(-0.1), std::invalid_argument);
+    EXPECT_THROW(reboundLaw::restitution(1.1), std::invalid_argument);
+    EXPECT_THROW(reboundLaw::restitution(0.8, -1.1), std::invalid_argument);
+    EXPECT_THROW(reboundLaw::coulomb(1.1), std::invalid_argument);
+    EXPECT_THROW(reboundLaw::coulomb(0.8, -0.1), std::invalid_argument);
+}
