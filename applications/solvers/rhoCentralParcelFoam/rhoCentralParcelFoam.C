@@ -27,8 +27,8 @@ int main(int argc, char* argv[])
     );
 
     #include "setRootCase.H"
+    completeWrite::setAsideUnfinished(args);
     #include "createTime.H"
-    completeWrite::findStart(runTime);
     #include "createMesh.H"
 
     highSpeedGas gas(mesh);

@@ -6,6 +6,8 @@
 #include "OSspecific.H"
 #include "OFstream.H"
 #include "PstreamReduceOps.H"
+#include "DynamicList.H"
+#include "HashSet.H"
 
 namespace Foam
 {
@@ -18,49 +20,72 @@ static fileName markFolder(const Time& runTime, const word& timeName)
 } // End namespace Foam
 
 
-bool Foam::completeWrite::incomplete
-(
-    const Time& runTime,
-    const word& timeName
-)
+bool Foam::completeWrite::unfinished(const fileName& timeFolder)
 {
-    const bool here = isFile(markFolder(runTime, timeName)/"incomplete");
-    return returnReduce(here, orOp<bool>());
+    if (isFile(timeFolder/"uniform"/"incomplete"))
+    {
+        return true;
+    }
+
+    // Killed between making the directory and marking it
+    return
+        !isFile(timeFolder/"uniform"/"complete")
+     && readDir(timeFolder, fileName::FILE).empty()
+     && readDir(timeFolder/"uniform", fileName::FILE).empty()
+     && !isDir(timeFolder/"lagrangian")
+     && !isDir(timeFolder/"polyMesh");
 }
 
 
-void Foam::completeWrite::findStart(Time& runTime)
+void Foam::completeWrite::setAsideUnfinished(const argList& args)
 {
-    if (!incomplete(runTime, runTime.timeName()))
+    List<wordList> names(Pstream::nProcs());
     {
-        return;
+        DynamicList<word> here;
+        for (const instant& t : TimePaths::findTimes(args.path(), "constant"))
+        {
+            if (t.name() != "constant" && unfinished(args.path()/t.name()))
+            {
+                here.append(t.name());
+            }
+        }
+        names[Pstream::myProcNo()] = here;
+    }
+    Pstream::gatherList(names);
+    Pstream::scatterList(names);
+
+    // Unfinished on one rank is unfinished on all
+    wordHashSet all;
+    for (const wordList& list : names)
+    {
+        all.insert(list);
     }
 
-    const word refused(runTime.timeName());
-    const instantList times(runTime.times());
-
-    for (label i = times.size() - 1; i >= 0; i--)
+    bool start = false;
+    for (const instant& t : TimePaths::findTimes(args.path(), "constant"))
     {
-        const instant& candidate = times[i];
-        if
-        (
-            candidate.name() != runTime.constant()
-         && candidate.value() < runTime.value()
-         && !incomplete(runTime, candidate.name())
-        )
+        start = start || (t.name() != "constant" && !all.found(t.name()));
+    }
+    if (!all.empty() && !returnReduce(start, orOp<bool>()))
+    {
+        FatalErrorInFunction
+            << "Time directories " << flatOutput(all.sortedToc())
+            << " were not written to their end, and there is no complete one"
+            << " to start from." << exit(FatalError);
+    }
+
+    for (const word& name : all.sortedToc())
+    {
+        Info<< "Time directory " << name << " was not written to its end:"
+            << " set aside as " << name << ".unfinished" << nl << endl;
+
+        const fileName folder(args.path()/name);
+        if (isDir(folder))
         {
-            Info<< "Time directory " << refused << " was not written to its"
-                << " end: starting from " << candidate.name() << " instead"
-                << nl << endl;
-            runTime.setTime(candidate, i);
-            return;
+            rmDir(folder + ".unfinished", true);
+            mv(folder, folder + ".unfinished");
         }
     }
-
-    FatalErrorInFunction
-        << "Time directory " << refused << " was not written to its end, and"
-        << " there is no complete one before it to start from."
-        << exit(FatalError);
 }
 
 

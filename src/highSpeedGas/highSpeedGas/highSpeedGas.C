@@ -18,11 +18,8 @@ Foam::highSpeedGas::modeNames
 void Foam::highSpeedGas::readSettings()
 {
     const dictionary& solution = mesh_.solutionDict();
-    const dictionary d
-    (
-        dictionary(solution.name() + ".highSpeedGas"),
-        solution.subOrEmptyDict("highSpeedGas")
-    );
+    const dictionary* found = solution.findDict("highSpeedGas");
+    const dictionary& d = found ? *found : dictionary::null;
 
     static const wordList known
     {
@@ -51,9 +48,9 @@ void Foam::highSpeedGas::readSettings()
     const bool steady = mode_ == modeType::steady;
     const wordList schemes
     (
-        steady
-      ? wordList({"Euler", "RK2", "RK3", "implicit"})
-      : wordList({"Euler", "RK2", "RK3"})
+        mode_ == modeType::transient
+      ? wordList({"Euler", "RK2", "RK3"})
+      : wordList({"Euler", "RK2", "RK3", "implicit"})
     );
     const word scheme
     (

@@ -44,10 +44,12 @@ def first_time(text):
 
 
 def skips(text):
-    """The directory a run has refused and the one it started from."""
-    found = re.search(r"Time directory (\S+) was not written to its end:"
-                      r" starting from (\S+) instead", text)
-    return found.groups() if found else None
+    """The latest directory a run has set aside and the one it started from."""
+    found = re.findall(r"Time directory (\S+) was not written to its end:"
+                       r" set aside as \1.unfinished", text)
+    start = re.search(r"Create mesh for time = (\S+)", text)
+    return ((max(found, key=float), start.group(1)) if found and start
+            else None)
 
 
 def agrees(case, name):
