@@ -389,28 +389,41 @@ void Foam::gasEquations::readFields()
         }
 
         double* q = &primitive[c*nVar_];
-        double* w = &conserved[c*nVar_];
-        const double density = p[c]/(closure_.R*T[c]);
-        const double e =
-            closure_.thermallyPerfect()
-          ? closure_.energy<true>(T[c])
-          : closure_.energy<false>(T[c]);
-
         q[0] = p[c];
         q[1] = T[c];
-        w[0] = density;
+        for (int d = 0; d < nDim; d++)
+        {
+            q[2 + d] = U[c][geometry_.direction(d)];
+        }
+    }
+
+    conserveFromPrimitive();
+    correctBoundary();
+}
+
+
+void Foam::gasEquations::conserveFromPrimitive()
+{
+    const int nDim = geometry_.nDim();
+
+    for (label c = 0; c < geometry_.nCells(); c++)
+    {
+        const double* q = &primitive[c*nVar_];
+        double* w = &conserved[c*nVar_];
+        const double e =
+            closure_.thermallyPerfect()
+          ? closure_.energy<true>(q[1])
+          : closure_.energy<false>(q[1]);
+
+        w[0] = q[0]/(closure_.R*q[1]);
         double uu = 0;
         for (int d = 0; d < nDim; d++)
         {
-            const double u = U[c][geometry_.direction(d)];
-            q[2 + d] = u;
-            w[2 + d] = density*u;
-            uu += u*u;
+            w[2 + d] = w[0]*q[2 + d];
+            uu += q[2 + d]*q[2 + d];
         }
-        w[1] = density*(e + 0.5*uu);
+        w[1] = w[0]*(e + 0.5*uu);
     }
-
-    correctBoundary();
 }
 
 

@@ -402,7 +402,7 @@ bool Foam::highSpeedGas::solve()
     // Go on from what is written, so that a restart goes the same way
     if (mesh_.time().writeTime())
     {
-        equations_->readFields();
+        equations_->conserveFromPrimitive();
     }
 
     cpuTime_ += mesh_.time().elapsedCpuTime() - start;
