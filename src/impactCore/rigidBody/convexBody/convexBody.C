@@ -367,7 +367,7 @@ void impact::convexBody::setPolyhedron(surface s)
 
     // Edges between coplanar faces (a triangulated surface) are none of the
     // body's; nor are vertices that lie inside a face
-    std::map<edge, std::vector<vector3>> normals;
+    std::map<edge, std::vector<int>> facesOf;
     for (const auto& face : s.faces)
     {
         const vector3 a = areaVector(s, face);
@@ -375,16 +375,19 @@ void impact::convexBody::setPolyhedron(surface s)
         {
             const int i = face[k];
             const int j = face[(k + 1) % face.size()];
-            normals[{{std::min(i, j), std::max(i, j)}}]
-                .push_back((1/mag(a))*a);
+            facesOf[{{std::min(i, j), std::max(i, j)}}]
+                .push_back(int(faceNormals_.size()));
         }
+        faceNormals_.push_back((1/mag(a))*a);
     }
     std::vector<int> newLabel(s.points.size(), -1);
-    for (const auto& n : normals)
+    std::vector<edge> between;
+    for (const auto& f : facesOf)
     {
-        if (mag(cross(n.second[0], n.second[1])) > 1e-7)
+        const edge faces = {{f.second[0], f.second[1]}};
+        if (mag(cross(faceNormals_[faces[0]], faceNormals_[faces[1]])) > 1e-7)
         {
-            edge e = n.first;
+            edge e = f.first;
             for (int& v : e)
             {
                 if (newLabel[v] < 0)
@@ -395,6 +398,7 @@ void impact::convexBody::setPolyhedron(surface s)
                 v = newLabel[v];
             }
             edges_.push_back(e);
+            between.push_back(faces);
         }
     }
     setSymmetryAxis();
@@ -408,12 +412,15 @@ void impact::convexBody::setPolyhedron(surface s)
                 (vertices_[std::min(i, vertices_.size() - 1)][axis]);
         }
     }
-    for (int end = 0; end < 2; ++end)
+    for (const std::vector<edge>* list : {&edges_, &between})
     {
-        for (std::size_t i = 0; i < padded(edges_.size()); ++i)
+        for (int end = 0; end < 2; ++end)
         {
-            paddedEdges_.push_back
-                (edges_[std::min(i, edges_.size() - 1)][end]);
+            for (std::size_t i = 0; i < padded(edges_.size()); ++i)
+            {
+                paddedEdges_.push_back
+                    ((*list)[std::min(i, edges_.size() - 1)][end]);
+            }
         }
     }
 }

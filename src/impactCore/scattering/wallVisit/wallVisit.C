@@ -13,21 +13,17 @@ namespace
 
 using namespace impact;
 
-//- A body at one instant
-struct pose
-{
-    double x, y;
-    rotationState rotation;
-};
-
-
 //- The point of least height above the relief
 struct lowest
 {
     double gap;
     double x;
     double slope;       // of the relief
-    vector3 r;          // body components
+
+    //- Where on the body: parameter of the lower arc of an ellipse; the
+    //  share from vertex i to vertex j of a polygon
+    double parameter;
+    int i, j;
 };
 
 
@@ -54,7 +50,7 @@ class polygonShadow
     //- Arrays of one thread
     struct scratch
     {
-        std::vector<double> X, Y, gap, bound, intervals;
+        std::vector<double> X, Y, gap, bound, facing, intervals;
 
         static scratch& ofThread()
         {
@@ -62,45 +58,79 @@ class polygonShadow
             return s;
         }
 
-        void reserve(int vertices, int edges)
+        void reserve(int vertices, int edges, int faces)
         {
-            if (int(X.size()) < vertices || int(bound.size()) < edges)
+            const std::size_t n = std::max({vertices, edges, faces});
+            if (X.size() < n)
             {
-                X.resize(vertices);
-                Y.resize(vertices);
-                gap.resize(vertices);
-                bound.resize(edges);
+                for (auto* list : {&X, &Y, &gap, &bound, &facing})
+                {
+                    list->resize(n);
+                }
             }
         }
     };
 
+    const convexBody& body_;
+    scratch& w_;
+    vector3 ex_, ey_;
+
+
 public:
 
-    static lowest find
+    explicit polygonShadow(const convexBody& body)
+    :
+        body_(body),
+        w_(scratch::ofThread())
+    {
+        w_.reserve
+        (
+            int(body.paddedVertices().size())/3,
+            int(body.paddedEdges().size())/4,
+            int(body.faceNormals().size())
+        );
+    }
+
+    //- Orientation of the body
+    void turn(const rotationState& r)
+    {
+        ex_ = r.ex;
+        ey_ = r.ey;
+
+        // An edge bounds the shadow if one of its faces looks up along Z
+        // and the other down
+        const vector3 ez = r.ez();
+        const auto& normals = body_.faceNormals();
+        for (std::size_t i = 0; i < normals.size(); ++i)
+        {
+            w_.facing[i] = dot(ez, normals[i]);
+        }
+    }
+
+    //- The lowest point with the centre at (x, y)
+    lowest find
     (
-        const convexBody& body,
-        const pose& p,
+        double x,
+        double y,
         reliefPiece& piece,
         std::int64_t hint
-    )
+    ) const
     {
-        const auto& vertices = body.vertices();
-        const auto& padded = body.paddedVertices();
-        const auto& edges = body.edges();
-        const auto& paddedEdges = body.paddedEdges();
-        const int n = int(vertices.size());
+        const auto& padded = body_.paddedVertices();
+        const auto& edges = body_.edges();
+        const auto& paddedEdges = body_.paddedEdges();
+        const int n = int(body_.vertices().size());
         const int room = int(padded.size())/3;
-        const int edgeRoom = int(paddedEdges.size())/2;
-        scratch& w = scratch::ofThread();
-        w.reserve(room, edgeRoom);
+        const int edgeRoom = int(paddedEdges.size())/4;
+        scratch& w = w_;
         double* X = w.X.data();
         double* Y = w.Y.data();
         double* G = w.gap.data();
 
         // The intervals under the circumscribed circle
-        const double R = body.radius();
-        const std::int64_t first = piece.find(p.x - R, hint);
-        const std::int64_t last = piece.find(p.x + R, first);
+        const double R = body_.radius();
+        const std::int64_t first = piece.find(x - R, hint);
+        const std::int64_t last = piece.find(x + R, first);
         double crest = 0;
         w.intervals.clear();
         for (std::int64_t k = first; k <= last; ++k)
@@ -112,10 +142,8 @@ public:
                 w.intervals.end(), {s.x0, s.c0, s.c1, s.c2, s.c3}
             );
         }
-        const vector3& ex = p.rotation.ex;
-        const vector3& ey = p.rotation.ey;
         const double pose[8] =
-            {p.x, p.y, ex.x, ex.y, ex.z, ey.x, ey.y, ey.z};
+            {x, y, ex_.x, ex_.y, ex_.z, ey_.x, ey_.y, ey_.z};
         shadowGaps
         (
             room, padded.data(), pose, int(last - first + 1),
@@ -136,8 +164,8 @@ public:
         out.gap = G[best];
         out.x = X[best];
         out.slope = slopeIn(piece.at(under), X[best]);
-        out.r = vertices[best];
-        bool vertex = true;
+        out.i = out.j = best;
+        out.parameter = 0;
 
         // A crest may reach the inside of an edge: no deeper below the lower
         // of its ends than the sag of the sharpest crest over its length
@@ -145,7 +173,8 @@ public:
         {
             edgeBounds
             (
-                edgeRoom, paddedEdges.data(), X, G, crest, w.bound.data()
+                edgeRoom, paddedEdges.data(), X, G, w.facing.data(),
+                crest, w.bound.data()
             );
         }
         for (std::size_t k = 0; crest > 0 && k < edges.size(); ++k)
@@ -204,37 +233,45 @@ public:
                     out.gap = gap;
                     out.x = x;
                     out.slope = m;
-                    out.r = vertices[i] + f*(vertices[j] - vertices[i]);
-                    vertex = false;
+                    out.i = i;
+                    out.j = j;
+                    out.parameter = f;
                 }
             }
         }
 
-        // Several vertices over the same point of the curve: an edge across
-        // the relief touches it along its length; its centre is the contact
-        if (vertex)
+        return out;
+    }
+
+    //- The material point, body components
+    vector3 point(const lowest& l) const
+    {
+        const auto& v = body_.vertices();
+        return v[l.i] + l.parameter*(v[l.j] - v[l.i]);
+    }
+
+    //- The same for a contact: several vertices over one point of the curve
+    //  are an edge across the relief, which touches it along its length;
+    //  its centre is the contact. Valid after the find() of l.
+    vector3 contactPoint(const lowest& l) const
+    {
+        const auto& v = body_.vertices();
+        const double near = 1e-9*body_.radius();
+        vector3 sum = {0, 0, 0};
+        int count = 0;
+        for (int i = 0; l.i == l.j && i < int(v.size()); ++i)
         {
-            const double near = 1e-9*body.radius();
-            vector3 sum = {0, 0, 0};
-            int count = 0;
-            for (int i = 0; i < n; ++i)
+            if
+            (
+                std::fabs(w_.X[i] - l.x) < near
+             && std::fabs(w_.gap[i] - l.gap) < near
+            )
             {
-                if
-                (
-                    std::fabs(X[i] - out.x) < near
-                 && std::fabs(G[i] - out.gap) < near
-                )
-                {
-                    sum = sum + vertices[i];
-                    ++count;
-                }
-            }
-            if (count > 1)
-            {
-                out.r = (1./count)*sum;
+                sum = sum + v[i];
+                ++count;
             }
         }
-        return out;
+        return count > 1 ? (1./count)*sum : point(l);
     }
 };
 
@@ -243,7 +280,13 @@ class ellipseShadow
 {
     //- y = cy + k xi w - d sqrt(1 - xi^2), x = cx + w xi; in the variable
     //  p = xi/sqrt(1 - xi^2) the lower arc has the slope k + (d/w) p
-    double cx_, cy_, w_, k_, d_;
+    const convexBody& body_;
+    rotationState rotation_;
+    double w_ = 0, k_ = 0, d_ = 0;
+    double depth_ = 0;          // of the lowest point below the centre
+
+    //- Centre of the shadow being looked at
+    mutable double cx_ = 0, cy_ = 0;
 
     double xOf(double p) const
     {
@@ -270,10 +313,13 @@ class ellipseShadow
     //- Root of the excess, which rises from lo to hi
     double rising(const relief::interval& s, double lo, double hi) const
     {
+        // From where the slope at the middle of the arc would meet it
+        const double f = w_/d_;
+        const double middle = std::max(s.x0, std::min(s.x1, cx_));
         double p = std::max
         (
             lo,
-            std::min(hi, (slopeIn(s, xOf(0.5*(lo + hi))) - k_)*w_/d_)
+            std::min(hi, (slopeIn(s, middle) - k_)*f)
         );
         for (int i = 0; i < 100; ++i)
         {
@@ -302,31 +348,39 @@ class ellipseShadow
 
 public:
 
-    static lowest find
+    explicit ellipseShadow(const convexBody& body)
+    :
+        body_(body)
+    {}
+
+    //- Orientation of the body
+    void turn(const rotationState& r)
+    {
+        rotation_ = r;
+        const vector3 X = multiply(body_.semiAxes(), r.ex);
+        const vector3 Y = multiply(body_.semiAxes(), r.ey);
+        const double Qxx = dot(X, X);
+        w_ = std::sqrt(Qxx);
+        k_ = dot(X, Y)/Qxx;
+        d_ = mag(cross(X, Y))/w_;
+        depth_ = mag(Y);
+    }
+
+    //- The lowest point with the centre at (x, y)
+    lowest find
     (
-        const convexBody& body,
-        const pose& p,
+        double x,
+        double y,
         reliefPiece& piece,
         std::int64_t hint
-    )
+    ) const
     {
-        const vector3& a = body.semiAxes();
-        const vector3 X = multiply(a, p.rotation.ex);
-        const vector3 Y = multiply(a, p.rotation.ey);
-        const double Qxx = dot(X, X);
-        const double Qxy = dot(X, Y);
-        const vector3 Z = cross(X, Y);
-
-        ellipseShadow e;
-        e.cx_ = p.x;
-        e.cy_ = p.y;
-        e.w_ = std::sqrt(Qxx);
-        e.k_ = Qxy/Qxx;
-        e.d_ = mag(Z)/e.w_;
-
-        const double bottom = p.y - mag(Y);
-        const double left = p.x - e.w_;
-        const double right = p.x + e.w_;
+        cx_ = x;
+        cy_ = y;
+        const ellipseShadow& e = *this;
+        const double bottom = y - depth_;
+        const double left = x - w_;
+        const double right = x + w_;
         const double endless = 1e8;
 
         lowest out;
@@ -421,15 +475,25 @@ public:
             }
         }
 
-        // Point of the body on the arc: the support along (slope, -1), the
-        // outward normal of the arc there
-        const relief::interval& s = piece.at(best);
         out.x = e.xOf(bestP);
-        out.slope = slopeIn(s, out.x);
-        const double m = e.k_ + e.d_/e.w_*bestP;
-        const vector3 n = multiply(a, m*p.rotation.ex - p.rotation.ey);
-        out.r = (1/mag(n))*multiply(a, n);
+        out.slope = slopeIn(piece.at(best), out.x);
+        out.parameter = bestP;
         return out;
+    }
+
+    //- The material point, body components: the support along (slope, -1),
+    //  the outward normal of the arc there
+    vector3 point(const lowest& l) const
+    {
+        const vector3& a = body_.semiAxes();
+        const double m = k_ + d_/w_*l.parameter;
+        const vector3 n = multiply(a, m*rotation_.ex - rotation_.ey);
+        return (1/mag(n))*multiply(a, n);
+    }
+
+    vector3 contactPoint(const lowest& l) const
+    {
+        return point(l);
     }
 
 
@@ -633,29 +697,37 @@ impact::contactPoint impact::wallVisit::search
         return none;
     }
 
+    const bool turning = !rotation.atRest() && !body_->isSphere();
+    Shadow shadow(*body_);
+    shadow.turn(state.rotation);
     auto evaluate = [&](double t, double& rate)
     {
-        pose p;
-        p.x = state.x + state.V.x*t;
-        p.y = state.y + state.V.y*t;
-        if (rotation.atRest() || body_->isSphere())
+        rotationState now;
+        if (turning)
         {
-            p.rotation = state.rotation;
+            rotation.evaluate(t, now);
+            shadow.turn(now);
         }
-        else
+        const lowest l = shadow.find
+        (
+            state.x + state.V.x*t, state.y + state.V.y*t, piece, hint
+        );
+        double vx = state.V.x;
+        double vy = state.V.y;
+        if (turning)
         {
-            rotation.evaluate(t, p.rotation);
+            const vector3 spin = cross(now.omega, shadow.point(l));
+            vx += dot(spin, now.ex);
+            vy += dot(spin, now.ey);
         }
-        const lowest l = Shadow::find(*body_, p, piece, hint);
-        const vector3 spin = cross(p.rotation.omega, l.r);
-        const double vx = state.V.x + dot(spin, p.rotation.ex);
-        const double vy = state.V.y + dot(spin, p.rotation.ey);
         rate = vy - l.slope*vx;
         return l;
     };
+    // Of the last evaluation
     auto contact = [&](double t, const lowest& l)
     {
-        return contactPoint{true, t, l.gap, l.slope, l.x, l.r};
+        return contactPoint
+            {true, t, l.gap, l.slope, l.x, shadow.contactPoint(l)};
     };
 
     double t0 = 0;
@@ -926,8 +998,11 @@ double impact::wallVisit::gap
     std::int64_t hint
 ) const
 {
-    const pose p = {state.x, state.y, state.rotation};
+    auto find = [&](auto shadow)
+    {
+        shadow.turn(state.rotation);
+        return shadow.find(state.x, state.y, piece, hint).gap;
+    };
     return body_->shape() == convexBody::shapeType::ellipsoid
-      ? ellipseShadow::find(*body_, p, piece, hint).gap
-      : polygonShadow::find(*body_, p, piece, hint).gap;
+      ? find(ellipseShadow(*body_)) : find(polygonShadow(*body_));
 }
