@@ -1,0 +1,56 @@
+"""Compressible Couette flow against its exact solution; stands in a folder of
+its own.
+
+Between isothermal plates at equal temperature, one at rest, one moving with V,
+the stress is uniform, and the heat flux balances its work. As the conductivity
+of Sutherland's gas is proportional to its viscosity, lambda = k mu,
+
+    T(u) = Tw + u (V - u)/(2 k),    y(u)/h = int_0^u mu dT / int_0^V mu du
+"""
+
+import numpy as np
+from caseTools import (GAMMA, R_GAS, box, last_fields, must, run, verdict,
+                       write_block, write_case, write_field)
+
+V, TW, HEIGHT = 600.0, 300.0, 1e-3
+CV = R_GAS/(GAMMA - 1)
+K = 1.32*CV + 1.77*R_GAS
+
+u = np.linspace(0, V, 20001)
+mu = 1.458e-6*(TW + u*(V - u)/(2*K))**1.5/(TW + u*(V - u)/(2*K) + 110.4)
+y = np.concatenate([[0], np.cumsum(0.5*(mu[1:] + mu[:-1])*np.diff(u))])
+y /= y[-1]
+
+errors = []
+for n in 10, 20, 40:
+    case = f"couette{n}"
+    write_case(case, {"endTime": 1, "deltaT": 1, "writeInterval": 1},
+               {"mode": "steady", "viscous": "yes", "residual": 1e-9,
+                "maxCo": 1000, "maxIterations": 20000})
+    write_block(case, box((1e-4, HEIGHT, 1e-4)), (2, n, 1),
+                {"xMin": "cyclic", "xMax": "cyclic", "yMin": "wall",
+                 "yMax": "wall"})
+    sides = {"xMin": "type cyclic;", "xMax": "type cyclic;",
+             "zMin": "type empty;", "zMax": "type empty;"}
+    fixed = "type fixedValue; value uniform "
+    write_field(case, "p", 1e3, {**sides, "yMin": "type zeroGradient;",
+                                 "yMax": "type zeroGradient;"})
+    write_field(case, "T", TW, {**sides, "yMin": f"{fixed}{TW};",
+                                "yMax": f"{fixed}{TW};"})
+    write_field(case, "U", (0.5*V, 0, 0),
+                {**sides, "yMin": "type noSlip;",
+                 "yMax": f"{fixed}({V} 0 0);"})
+    must(case, "blockMesh")
+    status, text = run(case, "rhoCentralParcelFoam")
+    T, U = last_fields(case, "T U")
+    middle = (np.arange(2*n)//2 + 0.5)/n
+    exact = np.interp(middle, y, u)
+    errors.append((abs(U[:, 0] - exact).max()/V,
+                   abs(T - TW - exact*(V - exact)/(2*K)).max()/TW))
+
+worst = errors[-1]
+verdict("couette", max(worst) < 2e-4,
+        f"largest error of u {worst[0]:.1e} V, of T {worst[1]:.1e} Tw,"
+        " tolerance 2e-4")
+order = np.log2(errors[0][0]/errors[-1][0])/2
+verdict("couetteOrder", order > 1.8, f"order {order:.2f} in u, wanted 1.8")
