@@ -566,7 +566,7 @@ void impact::scatteringSampler::sampleRough
         capped += r.capped;
         if (setup_.wall && setup_.sharedRelief)
         {
-            w.profileBlock[i] = (unsigned char)
+            w.profileBlock[i] = static_cast<unsigned char>
             (
                 b.x/setup_.wall->period()
                *scatteringStatistics::profileBlocks

@@ -150,9 +150,12 @@ public:
             w.intervals.data(), X, Y, G
         );
         int best = 0;
+        double least = G[0];
         for (int i = 1; i < n; ++i)
         {
-            best = G[i] < G[best] ? i : best;
+            const bool lower = G[i] < least;
+            least = lower ? G[i] : least;
+            best = lower ? i : best;
         }
         std::int64_t under = first;
         while (under < last && X[best] >= piece.at(under).x1)
