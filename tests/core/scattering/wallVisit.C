@@ -123,6 +123,16 @@ TEST(wallVisit, findsTheFirstContactThatBruteForceFinds)
         convexBody::box({a, 0.8*a, 0.8*a}),
         convexBody::box({a, 0.5*a, 0.2*a}),
         convexBody::truncatedBox({a, 0.6*a, 0.8*a}, 0.25),
+        convexBody::polyhedron
+        (
+            {
+                {
+                    {0, 0, 0}, {a, 0, 0}, {0.2*a, 0.9*a, 0},
+                    {0.3*a, 0.2*a, 0.8*a}
+                },
+                {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}
+            }
+        ),
         convexBody::sphere(4*a),
         convexBody::ellipsoid({4*a, 2*a, a}),
         convexBody::box({4*a, 2*a, 3*a})
@@ -144,7 +154,7 @@ TEST(wallVisit, findsTheFirstContactThatBruteForceFinds)
         for (std::size_t m = 0; m < reliefs.size(); ++m)
         {
             reliefPiece piece(reliefs[m], 5);
-            for (int i = 0; i < 6; ++i)
+            for (int i = 0; i < 15; ++i)
             {
                 counterRandom rnd(1, i, std::uint32_t(100*k + m));
                 piece.start(1000*k + i, 20);
@@ -199,5 +209,5 @@ TEST(wallVisit, findsTheFirstContactThatBruteForceFinds)
             }
         }
     }
-    EXPECT_EQ(found, int(6*bodies.size()*reliefs.size()));
+    EXPECT_EQ(found, int(15*bodies.size()*reliefs.size()));
 }

@@ -426,6 +426,17 @@ void impact::convexBody::setPolyhedron(surface s)
 }
 
 
+double impact::convexBody::leastCurvature() const
+{
+    if (shape_ == shapeType::polyhedron)
+    {
+        return 0;
+    }
+    const double least = std::min({semiAxes_.x, semiAxes_.y, semiAxes_.z});
+    return least*least/radius_;
+}
+
+
 bool impact::convexBody::isBox() const
 {
     bool box = vertices_.size() == 8;

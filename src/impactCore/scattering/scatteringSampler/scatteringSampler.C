@@ -215,7 +215,7 @@ impact::scatteringSampler::scatteringSampler(const setup& s)
     const double R = body.radius();
     const vector3& semi = body.semiAxes();
     const double least = std::min({semi.x, semi.y, semi.z});
-    const double rho = smooth_.ellipsoid ? least*least/R : 0;
+    const double rho = body.leastCurvature();
     smooth_.offset = smooth_.ellipsoid ? R - least : R;
     smooth_.bend = 1.0001
        *(R - rho + smooth_.offset*freeRotation::skewness(body));
@@ -566,7 +566,7 @@ void impact::scatteringSampler::sampleRough
         capped += r.capped;
         if (setup_.wall && setup_.sharedRelief)
         {
-            w.profileBlock[i] = (unsigned char)
+            w.profileBlock[i] = static_cast<unsigned char>
             (
                 b.x/setup_.wall->period()
                *scatteringStatistics::profileBlocks

@@ -150,9 +150,12 @@ public:
             w.intervals.data(), X, Y, G
         );
         int best = 0;
+        double least = G[0];
         for (int i = 1; i < n; ++i)
         {
-            best = G[i] < G[best] ? i : best;
+            const bool lower = G[i] < least;
+            least = lower ? G[i] : least;
+            best = lower ? i : best;
         }
         std::int64_t under = first;
         while (under < last && X[best] >= piece.at(under).x1)
@@ -670,6 +673,7 @@ impact::contactPoint impact::wallVisit::search
     const bodyState& state,
     freeRotation& rotation,
     bool touching,
+    double departure,
     reliefPiece& piece,
     std::int64_t& hint,
     bool& lost
@@ -682,12 +686,16 @@ impact::contactPoint impact::wallVisit::search
     // body that rolls would be followed in steps of the size of round-off
     const double allowed = 1e-10*R;
     const double omega = rotation.atRest() ? 0 : rotation.maxOmega();
+
+    // The body is the union of balls of its least radius of curvature; a
+    // point of a ball may be taken to move with the centre of the ball
+    const double lever = R - body_->leastCurvature();
     const double acceleration =
-        rotation.atRest() ? 0 : rotation.maxAcceleration();
+        lever*omega*omega*(1 + freeRotation::skewness(*body_));
     const double speed =
         std::sqrt(state.V.x*state.V.x + state.V.y*state.V.y);
     const double fastest = speed + omega*R;
-    const double speedX = std::fabs(state.V.x) + omega*R;
+    const double speedX = std::fabs(state.V.x) + omega*lever;
     const double least = 1e-10*R/fastest;
 
     contactPoint none = {false, 0, 0, 0, 0, {0, 0, 0}};
@@ -731,9 +739,9 @@ impact::contactPoint impact::wallVisit::search
     };
 
     double t0 = 0;
-    bool known = false;
-    lowest low0;
-    double rate0 = 0;
+    bool known = touching && departure > 0;
+    lowest low0 = {};
+    double rate0 = departure;
     for (int count = 0; ; ++count)
     {
         if (count > 1000000)
@@ -770,10 +778,10 @@ impact::contactPoint impact::wallVisit::search
         }
 
         // Bounds over what the body can reach within the longest step
-        double limit = 2*R/fastest;
+        double limit = 4*R/fastest;
         if (speed > 0)
         {
-            limit = std::max(limit, 0.5*R/speed);
+            limit = std::max(limit, R/speed);
         }
         limit = std::min(limit, rotation.horizon() - t0);
         double steep = 0, crest = 0;
@@ -795,19 +803,19 @@ impact::contactPoint impact::wallVisit::search
         const double reach = std::sqrt(2/B);
         const double root0 = std::sqrt(g0 + allowed);
 
+        // Were the gap to go on at its rate, a step of at most
+        // reach^2 rate + 2 reach root0 would be certain; and one to the
+        // contact, if it is no longer than reach root0
         double tau;
-        if (low0.gap <= tolerance)
+        if (rate0 < 0 && g0 < -0.99*rate0*reach*root0)
         {
-            tau = std::max(rate0/B, least);
+            tau = -g0/rate0;
         }
         else
         {
-            tau = 1.6*reach*root0;
-            if (rate0 < 0)
-            {
-                tau = std::min(tau, -g0/rate0);
-            }
+            tau = 0.9*reach*(reach*rate0 + 2*root0);
         }
+        tau = std::max(least, tau);
         tau = std::min(tau, limit);
 
         // Shorten the step until it is certain, or ends at a contact
@@ -885,11 +893,15 @@ impact::visitResult impact::wallVisit::visitWith
         0.5*(dot(state.V, state.V) + dot(multiply(J, spin), spin));
     bool touching = impacts > 0;
     bool lost = false;
+    double departure = 0;
     for (;;)
     {
         freeRotation rotation(*body_, state.rotation);
         const contactPoint c =
-            search<Shadow>(state, rotation, touching, piece, hint, lost);
+            search<Shadow>
+            (
+                state, rotation, touching, departure, piece, hint, lost
+            );
         if (lost)
         {
             out.capped = true;
@@ -943,6 +955,10 @@ impact::visitResult impact::wallVisit::visitWith
             out.gaining += record.gainsEnergy();
         }
         ++impacts;
+        const vector3 Vn =
+            state.V.x*at.ex + state.V.y*at.ey + state.V.z*ez;
+        departure =
+            dot(n, Vn + cross(state.rotation.omega, c.r))/f;
     }
     out.state = state;
     return out;
@@ -986,8 +1002,8 @@ impact::contactPoint impact::wallVisit::firstContact
     freeRotation rotation(*body_, state.rotation);
     bool lost = false;
     return body_->shape() == convexBody::shapeType::ellipsoid
-      ? search<ellipseShadow>(state, rotation, false, piece, hint, lost)
-      : search<polygonShadow>(state, rotation, false, piece, hint, lost);
+      ? search<ellipseShadow>(state, rotation, false, 0, piece, hint, lost)
+      : search<polygonShadow>(state, rotation, false, 0, piece, hint, lost);
 }
 
 
