@@ -294,7 +294,7 @@ void Foam::highSpeedGas::marchToSteadyState()
     // An impulsive start needs the first steps to be short. Where the march
     // makes no headway, the steps are too long for the approximations of its
     // left-hand side, and are halved.
-    const label patience = 200;
+    const label patience = implicit_ ? 200 : 2000;
     scalar largestCo = maxCo_;
     scalar Co = min(scalar(1), maxCo_);
     scalar best = GREAT;
