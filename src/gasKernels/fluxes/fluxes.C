@@ -12,21 +12,6 @@ namespace Foam
 namespace
 {
 
-VECTOR_INLINE double least(const double x, const double y)
-{
-    return x < y ? x : y;
-}
-
-VECTOR_INLINE double most(const double x, const double y)
-{
-    return x > y ? x : y;
-}
-
-VECTOR_INLINE double size(const double x)
-{
-    return x < 0 ? -x : x;
-}
-
 
 //- One side of a face
 template<int nDim>

@@ -11,21 +11,6 @@ namespace Foam
 namespace
 {
 
-VECTOR_INLINE double least(const double x, const double y)
-{
-    return x < y ? x : y;
-}
-
-VECTOR_INLINE double most(const double x, const double y)
-{
-    return x > y ? x : y;
-}
-
-VECTOR_INLINE double size(const double x)
-{
-    return x < 0 ? -x : x;
-}
-
 //- Keeps quotients of squares of differences finite where all of them vanish
 constexpr double tiny = 1e-200;
 
