@@ -74,7 +74,14 @@ impactInline void turn
 
 //- v turned about a body axis
 template<int axis>
-impactInline void turnAxis(double s, double c, double& vx, double& vy, double& vz)
+impactInline void turnAxis
+(
+    double s,
+    double c,
+    double& vx,
+    double& vy,
+    double& vz
+)
 {
     if (axis == 0)
     {
