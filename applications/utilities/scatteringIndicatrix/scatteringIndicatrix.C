@@ -135,14 +135,17 @@ void run
     std::atomic<int64_t> done(0);
 
     // The error is looked at after numbers of particles fixed beforehand, so
-    // that a run that stops at targetError stops at the same one always
+    // that a run that stops at targetError stops at the same one always.
+    // Threads and processes wait for each other then: no more often than
+    // is needed.
+    const int64_t parts = setup.targetError > 0 ? 4 : 1;
     int64_t from = 0;
     double cpu = 0;
     bool complete = false;
     while (!complete && !stopped)
     {
         const int64_t to =
-            std::min(nBlocks, std::max(from + 1, from + from/4));
+            std::min(nBlocks, std::max(from + 1, from + from/parts));
         auto round = std::async(std::launch::async, [&]
         {
             sampler.sample

@@ -130,6 +130,36 @@ void copyLanes
     }
 }
 
+
+//- Counts over the visits of a block
+struct visitCounts
+{
+    std::int64_t impacts = 0, micro = 0, into = 0, second = 0;
+    std::int64_t pulling = 0, gaining = 0, capped = 0;
+
+    //- What an impact or more of one visit add
+    void addImpacts(const impact::visitResult& r)
+    {
+        impacts += r.impacts;
+        micro += r.microImpacts;
+        pulling += r.pulling;
+        gaining += r.gaining;
+        capped += r.capped;
+    }
+
+    void addTo(impact::scatteringStatistics& result) const
+    {
+        typedef impact::scatteringStatistics S;
+        result.count(S::impacts, impacts);
+        result.count(S::microImpacts, micro);
+        result.count(S::intoWall, into);
+        result.count(S::secondImpact, second);
+        result.count(S::pulling, pulling);
+        result.count(S::gaining, gaining);
+        result.count(S::capped, capped);
+    }
+};
+
 } // End anonymous namespace
 
 
@@ -361,15 +391,13 @@ void impact::scatteringSampler::sampleSmooth
         sampleRough(first, n, w, result);
         return;
     }
-    typedef scatteringStatistics S;
     const bool decide =
         setup_.treatment == wallVisit::treatmentType::firstImpact;
     const double small = 1e-3*mag(V1_);
     const double V[3] = {V1_.x, V1_.y, V1_.z};
     const double spin[3] = {setup_.spin.x, setup_.spin.y, setup_.spin.z};
     const vector3& J = setup_.body.inertia();
-    std::int64_t impacts = 0, micro = 0, into = 0, second = 0, capped = 0;
-    std::int64_t pulling = 0, gaining = 0;
+    visitCounts total;
     smoothLanes& l = w.lanes;
     smoothFlights& f = w.flights;
 
@@ -377,10 +405,10 @@ void impact::scatteringSampler::sampleSmooth
     {
         int counts[4];
         smoothTally(m, small, lanes, counts);
-        impacts += counts[0];
-        micro += m - counts[0];
-        pulling += counts[1];
-        gaining += counts[2];
+        total.impacts += counts[0];
+        total.micro += m - counts[0];
+        total.pulling += counts[1];
+        total.gaining += counts[2];
         return counts[3];
     };
 
@@ -400,12 +428,8 @@ void impact::scatteringSampler::sampleSmooth
               + l.r[2][i]*l.ey[2][i]
             );
         const visitResult r = visit_.resume(b, number, w.piece, 0);
-        impacts += r.impacts;
-        micro += r.microImpacts;
-        pulling += r.pulling;
-        gaining += r.gaining;
-        capped += r.capped;
-        second += number == 1 && r.second;
+        total.addImpacts(r);
+        total.second += number == 1 && r.second;
         l.V[0][i] = r.state.V.x;
         l.V[1][i] = r.state.V.y;
         l.V[2][i] = r.state.V.z;
@@ -423,13 +447,13 @@ void impact::scatteringSampler::sampleSmooth
             first + from, m, V, spin, smooth_, l
         );
         smoothImpact(m, smooth_, l);
-        into += tally(l, m);
+        total.into += tally(l, m);
 
         // Bodies of this round, by place in the batch
         int place[smoothBatch + 1];
         int surely = 0;
         int inFlight = mayReturn(m, smooth_, l, decide, place, surely);
-        second += surely;
+        total.second += surely;
         if (!vectorFlights_)
         {
             for (int i = 0; i < inFlight; ++i)
@@ -488,7 +512,7 @@ void impact::scatteringSampler::sampleSmooth
                 }
                 if (round == 1)
                 {
-                    second += nStruck;
+                    total.second += nStruck;
                 }
                 if (decide || nStruck == 0)
                 {
@@ -496,7 +520,7 @@ void impact::scatteringSampler::sampleSmooth
                 }
                 if (round + 1 > setup_.maxImpacts)
                 {
-                    capped += nStruck;
+                    total.capped += nStruck;
                     break;
                 }
                 smoothLanes& s = w.struck;
@@ -525,13 +549,7 @@ void impact::scatteringSampler::sampleSmooth
               + J.z*l.w[2][i]*l.w[2][i];
         }
     }
-    result.count(S::impacts, impacts);
-    result.count(S::microImpacts, micro);
-    result.count(S::intoWall, into);
-    result.count(S::secondImpact, second);
-    result.count(S::pulling, pulling);
-    result.count(S::gaining, gaining);
-    result.count(S::capped, capped);
+    total.addTo(result);
 }
 
 
@@ -544,8 +562,7 @@ void impact::scatteringSampler::sampleRough
 ) const
 {
     const vector3& J = setup_.body.inertia();
-    std::int64_t impacts = 0, micro = 0, into = 0, second = 0;
-    std::int64_t pulling = 0, gaining = 0, capped = 0;
+    visitCounts total;
     for (int i = 0; i < n; ++i)
     {
         std::int64_t hint = 0;
@@ -557,13 +574,9 @@ void impact::scatteringSampler::sampleRough
         w.Vz[i] = r.state.V.z;
         const vector3& spin = r.state.rotation.omega;
         w.spinEnergy[i] = dot(multiply(J, spin), spin);
-        impacts += r.impacts;
-        micro += r.microImpacts;
-        into += r.intoWall;
-        second += r.second;
-        pulling += r.pulling;
-        gaining += r.gaining;
-        capped += r.capped;
+        total.addImpacts(r);
+        total.into += r.intoWall;
+        total.second += r.second;
         if (setup_.wall && setup_.sharedRelief)
         {
             w.profileBlock[i] = static_cast<unsigned char>
@@ -573,14 +586,7 @@ void impact::scatteringSampler::sampleRough
             );
         }
     }
-    typedef scatteringStatistics S;
-    result.count(S::impacts, impacts);
-    result.count(S::microImpacts, micro);
-    result.count(S::intoWall, into);
-    result.count(S::secondImpact, second);
-    result.count(S::pulling, pulling);
-    result.count(S::gaining, gaining);
-    result.count(S::capped, capped);
+    total.addTo(result);
 }
 
 

@@ -74,7 +74,14 @@ impactInline void turn
 
 //- v turned about a body axis
 template<int axis>
-impactInline void turnAxis(double s, double c, double& vx, double& vy, double& vz)
+impactInline void turnAxis
+(
+    double s,
+    double c,
+    double& vx,
+    double& vy,
+    double& vz
+)
 {
     if (axis == 0)
     {
@@ -237,8 +244,9 @@ impactInline void advance
         // As in wallVisit::search
         const double reach = f.reach[i];
         const double least = f.least[i];
+        const double longest = 8e10*least;
         const double root0 = std::sqrt(g0);
-        const double above = g1 > 0 ? g1 : 0;
+        const double above = positivePart(g1);
         const double root1 = std::sqrt(above);
         const bool pierced = g1 < -tolerance;
         const bool shortest = tau <= least;
@@ -255,7 +263,8 @@ impactInline void advance
             f.status[i] = live ? now : before;
             f.t[i] = t0 + (step ? tau : 0.);
             f.gap[i] = step ? above : g0;
-            f.tau[i] = trial > least ? trial : least;
+            const double next = trial < longest ? trial : longest;
+            f.tau[i] = next > least ? next : least;
         }
         else
         {
@@ -265,7 +274,7 @@ impactInline void advance
               + mx*(wy*rz - wz*ry) + my*(wz*rx - wx*rz)
               + mz*(wx*ry - wy*rx);
             const bool falling = rate1 < 0;
-            const double slope = falling ? rate1 : -1;
+            const double slope = -nonZero(std::fabs(rate1));
             const bool strikes =
                 (pierced & shortest)
              | (!pierced & clear & falling & (g1 <= tolerance));
@@ -274,8 +283,8 @@ impactInline void advance
             // Pierced: Newton's step back, or the chord's, and not beyond
             // what is certain
             double back = tau - g1/slope;
-            const double fall = g0 - g1;
-            const double chord = tau*g0/(pierced ? fall : 1);
+            const double chord =
+                tau*g0/(std::fabs(g0 - g1) + 1e-30*R);
             back = falling & (back > 0) & (back < tau) ? back : chord;
             back = back > 0.01*tau ? back : 0.01*tau;
             const double certain = 0.999*reach*root0;
@@ -288,11 +297,11 @@ impactInline void advance
             shorter = shorter < 0.9*tau ? shorter : 0.9*tau;
 
             // Certain: on from there
-            double longer = 1.6*reach*root1;
+            const double ahead =
+                0.9*reach*(reach*rate1 + 2*root1);
             const double newton = -above/slope;
-            longer = falling & (newton < longer) ? newton : longer;
-            const double lift = falling ? 0 : 0.5*rate1*reach*reach;
-            longer = g1 <= tolerance ? lift : longer;
+            const double longer =
+                falling & (newton < 0.99*reach*root1) ? newton : ahead;
 
             const double trial =
                 pierced ? back : step ? longer : shorter;
@@ -300,7 +309,8 @@ impactInline void advance
             f.status[i] = live ? now : before;
             f.t[i] = t0 + (step ? tau : 0.);
             f.gap[i] = step ? above : g0;
-            const double next = trial > least ? trial : least;
+            const double capped = trial < longest ? trial : longest;
+            const double next = capped > least ? capped : least;
             f.tau[i] = strikes | !live ? tau : next;
         }
     }
@@ -335,7 +345,7 @@ impactInline void turnLanes
         double wx = l.w[0][i], wy = l.w[1][i], wz = l.w[2][i];
         double Lx = J0*wx, Ly = J1*wy, Lz = J2*wz;
         const double L = std::sqrt(Lx*Lx + Ly*Ly + Lz*Lz);
-        const double f = 1/(L > 0 ? L : 1);
+        const double f = 1/nonZero(L);
         Lx *= f;
         Ly *= f;
         Lz *= f;
@@ -521,15 +531,15 @@ impactKernel void smoothLaunch
         const double Lx = J0*wx, Ly = J1*wy, Lz = J2*wz;
         const double w2 = wx*wx + wy*wy + wz*wz;
         const double L = std::sqrt(Lx*Lx + Ly*Ly + Lz*Lz);
-        const double unit = 1/(L > 0 ? L : 1);
+        const double unit = 1/nonZero(L);
         const double mx = l.ey[0][i], my = l.ey[1][i], mz = l.ey[2][i];
         const double Vx = l.V[0][i], Vy = l.V[1][i];
         const double rise = bounce*l.approach[i];
         const double fastest =
             std::sqrt(Vx*Vx + Vy*Vy) + std::sqrt(w2)*R;
-        const double bound = bend*w2 + 1e-30*fastest*fastest/R;
-        const double safe = bound > 0 ? bound : 1;
-        const double least = 1e-10*R/(fastest > 0 ? fastest : 1);
+        const double bound =
+            nonZero(bend*w2 + 1e-30*fastest*fastest/R);
+        const double least = 1e-10*R/(fastest + 1e-100);
         f.ey[0][i] = mx;
         f.ey[1][i] = my;
         f.ey[2][i] = mz;
@@ -545,10 +555,11 @@ impactKernel void smoothLaunch
         f.Vy[i] = Vy;
         f.t[i] = 0;
         f.gap[i] = 0;
-        f.reach[i] = std::sqrt(2/safe);
+        f.reach[i] = std::sqrt(2/bound);
         f.least[i] = least;
-        const double lift = 1.4*rise/safe;
-        f.tau[i] = lift > least ? lift : least;
+        const double lift = 1.8*rise/bound;
+        const double first = lift < 8e10*least ? lift : 8e10*least;
+        f.tau[i] = first > least ? first : least;
         f.status[i] = 0;
     }
 }

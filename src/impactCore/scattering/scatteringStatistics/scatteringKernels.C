@@ -31,10 +31,9 @@ impactKernel void directionAngles
         const double y = Vy[i];
         const double z = Vz[i];
 
-        // A body at rest has no direction: counted as leaving along the wall
-        const double h2 = x*x + y*y;
-        const double a = arcTan2(y, h2 > 0 ? x : 1);
-        const double b = arcTan2(z, h2 + z*z > 0 ? std::sqrt(h2) : 1);
+        // A body at rest has no direction: it counts as leaving along x
+        const double a = arcTan2(y, x);
+        const double b = arcTan2(z, std::sqrt(x*x + y*y));
         alpha[i] = a - reference;
         beta[i] = b;
         int p = int(a*scale);
