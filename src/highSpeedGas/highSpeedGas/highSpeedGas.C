@@ -5,6 +5,7 @@
 #include "highSpeedGas.H"
 #include "ImplicitGaussSeidel.H"
 #include "localIOdictionary.H"
+#include "sigFpe.H"
 
 const Foam::Enum<Foam::highSpeedGas::modeType>
 Foam::highSpeedGas::modeNames
@@ -128,16 +129,21 @@ void Foam::highSpeedGas::checkPositive(const fvMesh& mesh, const word& name)
         volScalarField::typeName
     );
 
+    const sigFpe::ignore untrapped;     // A NaN must be looked at
     auto check = [&](const dictionary& d, const word& key, const label size)
     {
         const scalarField values(key, d, size);
-        if (size && !(min(values) > 0))
+        forAll(values, i)
         {
-            FatalIOErrorInFunction(d)
-                << "Entry " << key << " of " << name << " in " << d.dictName()
-                << " holds " << name << " = " << min(values)
-                << "; pressure and temperature must be positive (> 0)"
-                << exit(FatalIOError);
+            if (!(values[i] > 0 && values[i] < GREAT))
+            {
+                FatalIOErrorInFunction(d)
+                    << "Entry " << key << " of " << name << " in "
+                    << d.dictName() << " holds " << name << " = " << values[i]
+                    << " at index " << i
+                    << "; pressure and temperature must be positive (> 0)"
+                    << " and finite" << exit(FatalIOError);
+            }
         }
     };
 
@@ -225,6 +231,7 @@ Foam::highSpeedGas::highSpeedGas(const fvMesh& mesh)
         mode_ == modeType::steady
      && state_.getOrDefault<scalar>("imbalance", GREAT) <= residual_;
 
+    const sigFpe::ignore untrapped;     // A NaN must be looked at
     equations_.reset
     (
         new gasEquations(mesh, *thermo_, U_, rho_, phi_, viscous_)
@@ -383,6 +390,10 @@ bool Foam::highSpeedGas::solve()
     }
 
     const scalar start = mesh_.time().elapsedCpuTime();
+
+    // A floating-point exception would end the run before it can say where:
+    // what a step makes of the state is looked at before it is accepted
+    const sigFpe::ignore untrapped;
 
     if (mode_ == modeType::steady)
     {
