@@ -67,7 +67,8 @@ int main(int argc, char* argv[])
         }
     }
 
-    Info<< "Gas: " << gas.cpuTime() << " s of processor time" << endl;
+    Info<< "Gas: " << returnReduce(gas.cpuTime(), sumOp<scalar>())
+        << " s of processor time" << endl;
     clouds.info();
     Info<< "End" << nl << endl;
     return 0;
