@@ -48,12 +48,14 @@ template<class ParcelType>
 template<class CloudType>
 void Foam::SpinningParcel<ParcelType>::readFields(CloudType& c)
 {
+    const bool valid = c.size();
+
     ParcelType::readFields(c);
 
     IOField<vector> omega
     (
         c.fieldIOobject("omega", IOobject::MUST_READ),
-        c.size()
+        valid
     );
     c.checkFieldIOobject(c, omega);
 

@@ -32,20 +32,25 @@ void Foam::SpinningParcel<ParcelType>::place::restore(particle& p) const
 
 
 template<class ParcelType>
-Foam::scalar Foam::SpinningParcel<ParcelType>::timeShare
+Foam::scalar Foam::SpinningParcel<ParcelType>::curvedPath::timeAt
 (
+    const vector& aim,
     const scalar share,
-    const scalar slope0,
-    const scalar slope1
-)
+    const scalar last
+) const
 {
-    // Cubic with values 0 and 1 and the given slopes at its ends, by Newton's
-    // method kept within the interval that holds the root
-    scalar low = 0, high = 1, t = share;
+    // The progress towards the aim is a cubic: Newton's method kept within
+    // the interval that holds the root
+    const scalar scale = 1/magSqr(aim);
+    const scalar p0 = scale*(start & aim);
+    const scalar pm = scale*(whole & aim);
+    const scalar p1 = scale*(end & aim);
+
+    scalar low = 0, high = last, t = share*last;
     for (label i = 0; i < 20; ++i)
     {
         const scalar f =
-            t*(slope0*sqr(1 - t) + t*(3 - 2*t) - slope1*t*(1 - t)) - share;
+            t*(p0*sqr(1 - t) + pm*t*(3 - 2*t) - p1*t*(1 - t)) - share;
         if (f > 0)
         {
             high = t;
@@ -55,7 +60,7 @@ Foam::scalar Foam::SpinningParcel<ParcelType>::timeShare
             low = t;
         }
         const scalar df =
-            slope0*(1 - t)*(1 - 3*t) + 6*t*(1 - t) + slope1*t*(3*t - 2);
+            p0*(1 - t)*(1 - 3*t) + 6*pm*t*(1 - t) + p1*t*(3*t - 2);
         scalar next = mag(df) > 1e-6 ? t - f/df : 0.5*(low + high);
         if (!(next >= low && next <= high))
         {
@@ -159,54 +164,53 @@ bool Foam::SpinningParcel<ParcelType>::moveEmbedded
                 t = o.h;
                 impact::vector3 end = o.state.x;
 
-                scalar remaining =
-                    p.trackToFace(s - deviation, o.h/trackTime);
-
-                if (p.onFace())
+                // Track along the chord to the end of the path, and where
+                // that meets a face aim at the point of the curved path at
+                // that time, until the two agree
+                const curvedPath path{o.h*U0, s, o.h*U1};
+                const bool moves = magSqr(s) > ROOTVSMALL*ROOTVSMALL;
+                const scalar accuracy = tolerance*o.h*o.vScale;
+                vector aim = s;
+                scalar tau = 1;
+                bool back = false;
+                for (label i = 0; ; ++i)
                 {
-                    const scalar share = 1 - remaining;
-                    const scalar sSqr = magSqr(s);
-                    scalar tau = share;
-                    vector path = share*s;
-                    if (sSqr > ROOTVSMALL*ROOTVSMALL)
-                    {
-                        const scalar slope0 = o.h*(U0 & s)/sSqr;
-                        const scalar slope1 = o.h*(U1 & s)/sSqr;
-                        if (slope0 < 0 && left >= 10)
-                        {
-                            // The path turns back: follow its first part
-                            from.restore(p);
-                            hMax = 0.25*o.h;
-                            continue;
-                        }
-                        tau = timeShare(share, max(slope0, scalar(0)), slope1);
+                    const scalar share =
+                        1
+                      - p.trackToFace(aim - deviation, tau*o.h/trackTime);
 
-                        // Where the curved path is then, and whether that is
-                        // where the chord meets the face
-                        const scalar a = tau*sqr(1 - tau);
-                        const scalar b = sqr(tau)*(3 - 2*tau);
-                        const scalar c = sqr(tau)*(tau - 1);
-                        path = a*o.h*U0 + b*s + c*o.h*U1;
-                        if
-                        (
-                            mag(path - share*s) > tolerance*o.h*o.vScale
-                        )
-                        {
-                            from.restore(p);
-                            remaining = p.trackToFace
-                            (
-                                path - deviation,
-                                tau*o.h/trackTime
-                            );
-                            if (p.onFace())
-                            {
-                                tau *= 1 - remaining;
-                                path *= 1 - remaining;
-                            }
-                        }
+                    if (!p.onFace() || !moves)
+                    {
+                        break;
                     }
+                    if ((U0 & aim) < 0 && left >= 10)
+                    {
+                        back = true;
+                        break;
+                    }
+
+                    tau = path.timeAt(aim, share, tau);
+                    const vector there = path(tau);
+                    aim *= share;
+                    if (i == 4 || mag(there - aim) <= accuracy)
+                    {
+                        break;
+                    }
+                    aim = there;
+                    from.restore(p);
+                }
+                if (back)
+                {
+                    // The path turns back: follow its first part
+                    from.restore(p);
+                    hMax = 0.25*o.h;
+                    continue;
+                }
+
+                if (tau < 1)
+                {
                     t = tau*o.h;
-                    end = toCore(path);
+                    end = toCore(aim);
 
                     // Velocity and spin then: a parabola through both ends
                     // where that is accurate, another step where not
