@@ -1,0 +1,503 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "SpinningCloud.H"
+#include "GravityForce.H"
+#include "HendersonDragForce.H"
+#include "MagnusForce.H"
+#include "NoDispersion.H"
+
+#include <stdexcept>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class CloudType>
+void Foam::SpinningCloud<CloudType>::setModels()
+{
+    const dictionary& solution = this->solution().dict();
+    rotation_ = solution.lookupOrDefault<Switch>("rotation", true);
+    torque_ = rotationalTorqueModel::New(this->subModelProperties());
+
+    const dictionary* coeffs = solution.findDict("motion");
+    const word motion
+    (
+        coeffs
+      ? coeffs->get<word>("type")
+      : solution.lookupOrDefault<word>("motion", "stock")
+    );
+
+    if (motion == "embeddedRK54")
+    {
+        const scalar tolerance =
+            coeffs ? coeffs->lookupOrDefault<scalar>("tolerance", 1e-5) : 1e-5;
+        try
+        {
+            embedded_.reset(new impact::particleMotion(tolerance));
+        }
+        catch (const std::invalid_argument&)
+        {
+            FatalIOErrorInFunction(*coeffs)
+                << "Entry 'tolerance', value " << tolerance
+                << ", is outside the valid range [1e-14, 0.1]"
+                << exit(FatalIOError);
+        }
+        checkEmbedded();
+        gas_.reset(new parcelGas(this->mesh()));
+        Info<< "Selecting parcel motion embeddedRK54, tolerance " << tolerance
+            << endl;
+    }
+    else if (motion != "stock")
+    {
+        FatalIOErrorInFunction(coeffs ? *coeffs : solution)
+            << "Entry '" << (coeffs ? "motion/type" : "motion") << "', value "
+            << motion << ", is outside the valid range (stock embeddedRK54)"
+            << exit(FatalIOError);
+    }
+
+    bool magnus = false;
+    for (const auto& force : this->forces())
+    {
+        magnus = magnus || isA<MagnusForce<kinematicCloudType>>(force);
+    }
+    if (!rotation_)
+    {
+        Info<< "Parcels without rotation: no torque"
+            << (magnus ? " and no Magnus force" : "") << endl;
+    }
+}
+
+
+template<class CloudType>
+void Foam::SpinningCloud<CloudType>::checkEmbedded() const
+{
+    const dictionary& solution = this->solution().dict();
+    const dictionary& schemes = this->solution().interpolationSchemes();
+    for (const entry& e : schemes)
+    {
+        const word scheme(e.stream());
+        if (scheme != "cellPoint")
+        {
+            FatalIOErrorInFunction(schemes)
+                << "Entry '" << e.keyword() << "', value " << scheme
+                << ", is outside the valid range (cellPoint) of motion"
+                << " embeddedRK54, which needs the field that is linear in"
+                << " each tetrahedron" << exit(FatalIOError);
+        }
+    }
+    if (this->solution().cellValueSourceCorrection())
+    {
+        FatalIOErrorInFunction(solution)
+            << "Entry 'cellValueSourceCorrection', value on, is outside the"
+            << " valid range (off) of motion embeddedRK54"
+            << exit(FatalIOError);
+    }
+    if (!isA<NoDispersion<kinematicCloudType>>(this->dispersion()))
+    {
+        FatalIOErrorInFunction(this->subModelProperties())
+            << "Entry 'dispersionModel', value "
+            << this->dispersion().modelType()
+            << ", is outside the valid range (none) of motion embeddedRK54"
+            << exit(FatalIOError);
+    }
+    if (this->mesh().dynamic())
+    {
+        FatalIOErrorInFunction(solution)
+            << "Entry 'motion', value embeddedRK54, is outside the valid range"
+            << " (stock) of a moving mesh" << exit(FatalIOError);
+    }
+}
+
+
+template<class CloudType>
+void Foam::SpinningCloud<CloudType>::updateCurl()
+{
+    if (!rotation_)
+    {
+        return;
+    }
+
+    halfCurl_ = &parcelGas::halfCurl(this->U());
+    if (halfCurl_->eventNo() == halfCurlEvent_ && !this->mesh().changing())
+    {
+        return;
+    }
+    halfCurlEvent_ = halfCurl_->eventNo();
+
+    const dictionary& schemes = this->solution().interpolationSchemes();
+    const word UScheme(schemes.get<word>(this->U().name()));
+    halfCurlInterp_.clear();
+    halfCurlInterp_.reset
+    (
+        interpolation<vector>::New
+        (
+            schemes.lookupOrDefault<word>(halfCurl_->name(), UScheme),
+            *halfCurl_
+        ).ptr()
+    );
+}
+
+
+template<class CloudType>
+void Foam::SpinningCloud<CloudType>::prepareMotion()
+{
+    if (!embedded_.valid())
+    {
+        return;
+    }
+
+    typedef HendersonDragForce<kinematicCloudType> dragType;
+    const dragType* drag = nullptr;
+    bool magnus = false;
+    bool gravity = false;
+    bool core = torque_->standard() || !torque_->active();
+    for (const auto& force : this->forces())
+    {
+        if (isA<dragType>(force) && !drag)
+        {
+            drag = &refCast<const dragType>(force);
+            core = core && drag->uniformGas();
+        }
+        else if (isA<MagnusForce<kinematicCloudType>>(force))
+        {
+            magnus = true;
+        }
+        else if (isA<GravityForce<kinematicCloudType>>(force))
+        {
+            gravity = true;
+        }
+        else
+        {
+            core = false;
+        }
+    }
+
+    gas_->update
+    (
+        this->U(),
+        halfCurl_,
+        this->rho(),
+        this->mu(),
+        drag ? &drag->gas().T() : nullptr
+    );
+
+    if (core)
+    {
+        coreForce_.reset
+        (
+            new spinningCoreForce
+            (
+                gas_(),
+                impact::sphereForces
+                (
+                    drag ? &drag->drag() : nullptr,
+                    drag ? drag->gammaR() : 1,
+                    magnus && rotation_,
+                    torque_->active() && rotation_,
+                    toCore(gravity ? this->g().value() : vector::zero),
+                    counts_
+                ),
+                this->mesh()
+            )
+        );
+        listedForce_.clear();
+    }
+    else
+    {
+        listedForce_.reset
+        (
+            new spinningListedForce<spinningCloudType>(*this, magnus)
+        );
+        coreForce_.clear();
+    }
+}
+
+
+// * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * * //
+
+template<class CloudType>
+void Foam::SpinningCloud<CloudType>::cloudReset(SpinningCloud<CloudType>& c)
+{
+    CloudType::cloudReset(c);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+template<class CloudType>
+Foam::SpinningCloud<CloudType>::SpinningCloud
+(
+    const word& cloudName,
+    const volScalarField& rho,
+    const volVectorField& U,
+    const volScalarField& mu,
+    const dimensionedVector& g,
+    bool readFields
+)
+:
+    CloudType(cloudName, rho, U, mu, g, false),
+    cloudCopyPtr_(nullptr),
+    rotation_(true),
+    embedded_(nullptr),
+    torque_(nullptr),
+    gas_(nullptr),
+    halfCurl_(nullptr),
+    halfCurlInterp_(nullptr),
+    halfCurlEvent_(-2),
+    ETrans_
+    (
+        new volScalarField::Internal
+        (
+            IOobject
+            (
+                this->name() + ":ETrans",
+                this->db().time().timeName(),
+                this->db(),
+                IOobject::READ_IF_PRESENT,
+                this->solution().coupled()
+              ? IOobject::AUTO_WRITE
+              : IOobject::NO_WRITE
+            ),
+            this->mesh(),
+            dimensionedScalar(dimEnergy, Zero)
+        )
+    )
+{
+    if (this->solution().active())
+    {
+        setModels();
+
+        if (readFields)
+        {
+            parcelType::readFields(*this);
+            this->deleteLostParticles();
+        }
+    }
+
+    if (this->solution().resetSourcesOnStartup())
+    {
+        resetSourceTerms();
+    }
+}
+
+
+template<class CloudType>
+Foam::SpinningCloud<CloudType>::SpinningCloud
+(
+    SpinningCloud<CloudType>& c,
+    const word& name
+)
+:
+    CloudType(c, name),
+    cloudCopyPtr_(nullptr),
+    rotation_(c.rotation_),
+    embedded_(nullptr),
+    torque_(rotationalTorqueModel::New(c.subModelProperties())),
+    gas_(nullptr),
+    halfCurl_(nullptr),
+    halfCurlInterp_(nullptr),
+    halfCurlEvent_(-2),
+    ETrans_
+    (
+        new volScalarField::Internal
+        (
+            IOobject
+            (
+                name + ":ETrans",
+                this->db().time().timeName(),
+                this->db(),
+                IOobject::NO_READ,
+                IOobject::NO_WRITE,
+                false
+            ),
+            c.ETrans()
+        )
+    ),
+    counts_(c.counts_)
+{
+    if (c.embedded_.valid())
+    {
+        embedded_.reset
+        (
+            new impact::particleMotion(c.embedded_->tolerance())
+        );
+        gas_.reset(new parcelGas(this->mesh()));
+    }
+}
+
+
+template<class CloudType>
+Foam::SpinningCloud<CloudType>::SpinningCloud
+(
+    const fvMesh& mesh,
+    const word& name,
+    const SpinningCloud<CloudType>& c
+)
+:
+    CloudType(mesh, name, c),
+    cloudCopyPtr_(nullptr),
+    rotation_(c.rotation_),
+    embedded_(nullptr),
+    torque_(nullptr),
+    gas_(nullptr),
+    halfCurl_(nullptr),
+    halfCurlInterp_(nullptr),
+    halfCurlEvent_(-2),
+    ETrans_(nullptr)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+template<class CloudType>
+Foam::scalar Foam::SpinningCloud<CloudType>::rotationalEnergyOfSystem() const
+{
+    scalar sum = 0;
+    for (const parcelType& p : *this)
+    {
+        sum += p.nParticle()*p.rotationalEnergy();
+    }
+    return sum;
+}
+
+
+template<class CloudType>
+void Foam::SpinningCloud<CloudType>::setParcelThermoProperties
+(
+    parcelType& parcel,
+    const scalar lagrangianDt
+)
+{
+    CloudType::setParcelThermoProperties(parcel, lagrangianDt);
+    parcel.omega() = rotation_ ? this->constProps().omega0() : vector::zero;
+}
+
+
+template<class CloudType>
+void Foam::SpinningCloud<CloudType>::resetSourceTerms()
+{
+    CloudType::resetSourceTerms();
+    ETrans_->field() = 0;
+}
+
+
+template<class CloudType>
+void Foam::SpinningCloud<CloudType>::relaxSources
+(
+    const SpinningCloud<CloudType>& cloudOldTime
+)
+{
+    CloudType::relaxSources(cloudOldTime);
+    this->relax(ETrans_(), cloudOldTime.ETrans(), "U");
+}
+
+
+template<class CloudType>
+void Foam::SpinningCloud<CloudType>::scaleSources()
+{
+    CloudType::scaleSources();
+    this->scale(ETrans_(), "U");
+}
+
+
+template<class CloudType>
+void Foam::SpinningCloud<CloudType>::storeState()
+{
+    cloudCopyPtr_.reset
+    (
+        static_cast<SpinningCloud<CloudType>*>
+        (
+            clone(this->name() + "Copy").ptr()
+        )
+    );
+}
+
+
+template<class CloudType>
+void Foam::SpinningCloud<CloudType>::restoreState()
+{
+    cloudReset(cloudCopyPtr_());
+    cloudCopyPtr_.clear();
+}
+
+
+template<class CloudType>
+void Foam::SpinningCloud<CloudType>::preEvolve()
+{
+    CloudType::preEvolve();
+    prepareMotion();
+}
+
+
+template<class CloudType>
+void Foam::SpinningCloud<CloudType>::evolve()
+{
+    if (this->solution().canEvolve())
+    {
+        // The tracking data refer to it
+        updateCurl();
+        typename parcelType::trackingData td(*this);
+
+        this->solve(*this, td);
+    }
+}
+
+
+template<class CloudType>
+template<class TrackCloudType>
+void Foam::SpinningCloud<CloudType>::motion
+(
+    TrackCloudType& cloud,
+    typename parcelType::trackingData& td
+)
+{
+    CloudType::motion(cloud, td);
+}
+
+
+template<class CloudType>
+void Foam::SpinningCloud<CloudType>::info()
+{
+    CloudType::info();
+
+    // Communication in every step, whether or not it is printed
+    FixedList<scalar, 10> sums;
+    sums[0] = rotationalEnergyOfSystem();
+    sums[1] = counts_.magnus;
+    sums[2] = counts_.magnusOutside;
+    sums[3] = counts_.torque;
+    sums[4] = counts_.torqueOutside;
+    sums[5] = statistics_.nSteps;
+    sums[6] = statistics_.nForces;
+    sums[7] = statistics_.nCuts;
+    sums[8] = statistics_.nForced;
+    sums[9] = statistics_.nPauses;
+    for (scalar& sum : sums)
+    {
+        reduce(sum, sumOp<scalar>());
+    }
+
+    if (rotation_)
+    {
+        Info<< "    Rotational kinetic energy       = " << sums[0] << nl;
+        if (sums[1] > 0)
+        {
+            Info<< "    Magnus force beyond Re "
+                << impact::magnusLift::ReMax << " (its fit)  = "
+                << 100*sums[2]/sums[1] << " % of " << sums[1] << nl;
+        }
+        if (sums[3] > 0)
+        {
+            Info<< "    Torque beyond spin Re "
+                << impact::rotationalTorque::ReMax << " (its fit) = "
+                << 100*sums[4]/sums[3] << " % of " << sums[3] << nl;
+        }
+    }
+    if (embedded_.valid())
+    {
+        Info<< "    Sub-steps, forces per sub-step  = " << sums[5] << ", "
+            << sums[6]/max(sums[5], scalar(1)) << nl
+            << "    cut, uncontrolled, at rest      = " << sums[7] << ", "
+            << sums[8] << ", " << sums[9] << nl;
+    }
+}

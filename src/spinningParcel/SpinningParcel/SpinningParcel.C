@@ -1,0 +1,222 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "SpinningParcel.H"
+#include "forceSuSp.H"
+#include "meshTools.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+template<class ParcelType>
+Foam::SpinningParcel<ParcelType>::constantProperties::constantProperties()
+:
+    ParcelType::constantProperties(),
+    omega0_(Zero)
+{}
+
+
+template<class ParcelType>
+Foam::SpinningParcel<ParcelType>::constantProperties::constantProperties
+(
+    const dictionary& parentDict
+)
+:
+    ParcelType::constantProperties(parentDict),
+    omega0_
+    (
+        parentDict.subDict("constantProperties").template
+            lookupOrDefault<vector>("omega0", Zero)
+    )
+{}
+
+
+template<class ParcelType>
+Foam::SpinningParcel<ParcelType>::SpinningParcel
+(
+    const SpinningParcel<ParcelType>& p
+)
+:
+    ParcelType(p),
+    omega_(p.omega_)
+{}
+
+
+template<class ParcelType>
+Foam::SpinningParcel<ParcelType>::SpinningParcel
+(
+    const SpinningParcel<ParcelType>& p,
+    const polyMesh& mesh
+)
+:
+    ParcelType(p, mesh),
+    omega_(p.omega_)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+template<class ParcelType>
+template<class TrackCloudType>
+void Foam::SpinningParcel<ParcelType>::giveToGas
+(
+    TrackCloudType& cloud,
+    const scalar massEff,
+    const vector& U0,
+    const vector& omega0,
+    const vector& impulse,
+    const bool momentum
+) const
+{
+    // m (U^2 - U0^2)/2 is the product of m (U - U0) with the mean velocity
+    const vector taken = massEff*(this->U_ - U0) - impulse;
+    const label celli = this->cell();
+    const scalar n = this->nParticle_;
+
+    cloud.ETrans()[celli] -=
+        n
+       *(
+            (taken & 0.5*(U0 + this->U_))
+          + momentOfInertia()*((omega_ - omega0) & 0.5*(omega0 + omega_))
+        );
+
+    if (momentum)
+    {
+        vector dUTrans = -taken;
+        const polyMesh& mesh = cloud.pMesh();
+        meshTools::constrainDirection(mesh, mesh.solutionD(), dUTrans);
+        cloud.UTrans()[celli] += n*dUTrans;
+    }
+}
+
+
+template<class ParcelType>
+template<class TrackCloudType>
+void Foam::SpinningParcel<ParcelType>::setCellValues
+(
+    TrackCloudType& cloud,
+    trackingData& td
+)
+{
+    ParcelType::setCellValues(cloud, td);
+
+    if (td.rotation())
+    {
+        td.halfCurl() = td.halfCurlInterp()->interpolate
+        (
+            this->coordinates(),
+            this->currentTetIndices()
+        );
+    }
+}
+
+
+template<class ParcelType>
+template<class TrackCloudType>
+void Foam::SpinningParcel<ParcelType>::calc
+(
+    TrackCloudType& cloud,
+    trackingData& td,
+    const scalar dt
+)
+{
+    const bool coupled = cloud.solution().coupled();
+    if (!td.rotation() && !coupled)
+    {
+        ParcelType::calc(cloud, td, dt);
+        return;
+    }
+
+    typedef typename TrackCloudType::parcelType parcelType;
+    const parcelType& p = static_cast<const parcelType&>(*this);
+    const typename parcelType::trackingData& ttd =
+        static_cast<const typename parcelType::trackingData&>(td);
+
+    const vector U0 = this->U_;
+    const vector omega0 = omega_;
+    const scalar mass = this->mass();
+    scalar massEff = mass;
+    vector impulse(Zero);
+    if (coupled)
+    {
+        impulse = dt*cloud.forces().calcNonCoupled
+        (
+            p,
+            ttd,
+            dt,
+            mass,
+            this->Re(td),
+            td.muc()
+        ).Su();
+        massEff = cloud.forces().massEff(p, ttd, mass);
+    }
+
+    ParcelType::calc(cloud, td, dt);
+
+    if (td.rotation() && cloud.torque().active())
+    {
+        const vector W = omega_ - td.halfCurl();
+        const scalar magW = mag(W);
+        omega_ =
+            td.halfCurl()
+          + cloud.torque().remaining
+            (
+                this->d_,
+                this->rho_,
+                td.rhoc(),
+                td.muc(),
+                magW,
+                dt
+            )*W;
+        ++td.counts().torque;
+        td.counts().torqueOutside +=
+            cloud.torque().outside(this->d_, td.rhoc(), td.muc(), magW);
+    }
+
+    if (coupled)
+    {
+        // The stock parcel has given the momentum already
+        giveToGas(cloud, massEff, U0, omega0, impulse, false);
+    }
+}
+
+
+template<class ParcelType>
+template<class TrackCloudType>
+bool Foam::SpinningParcel<ParcelType>::hitPatch
+(
+    TrackCloudType& cloud,
+    trackingData& td
+)
+{
+    const bool done = ParcelType::hitPatch(cloud, td);
+
+    // Wall laws evaluated without spin may have left one
+    if (!td.rotation())
+    {
+        omega_ = Zero;
+    }
+    return done;
+}
+
+
+template<class ParcelType>
+void Foam::SpinningParcel<ParcelType>::transformProperties(const tensor& T)
+{
+    ParcelType::transformProperties(T);
+    omega_ = det(T)*transform(T, omega_);
+}
+
+
+template<class ParcelType>
+void Foam::SpinningParcel<ParcelType>::transformProperties
+(
+    const vector& separation
+)
+{
+    ParcelType::transformProperties(separation);
+}
+
+
+#include "SpinningParcelMotion.C"
+#include "SpinningParcelIO.C"

@@ -1,0 +1,165 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "Cloud.H"
+#include "IOField.H"
+#include "IOstreams.H"
+
+template<class ParcelType>
+Foam::string Foam::SpinningParcel<ParcelType>::propertyList_ =
+    Foam::SpinningParcel<ParcelType>::propertyList();
+
+
+template<class ParcelType>
+Foam::SpinningParcel<ParcelType>::SpinningParcel
+(
+    const polyMesh& mesh,
+    Istream& is,
+    bool readFields,
+    bool newFormat
+)
+:
+    ParcelType(mesh, is, readFields, newFormat),
+    omega_(Zero)
+{
+    if (readFields)
+    {
+        if (is.format() == IOstream::ASCII)
+        {
+            is >> omega_;
+        }
+        else if (!is.checkLabelSize<>() || !is.checkScalarSize<>())
+        {
+            is.beginRawRead();
+            readRawScalar(is, omega_.data(), vector::nComponents);
+            is.endRawRead();
+        }
+        else
+        {
+            is.read(reinterpret_cast<char*>(omega_.data()), sizeof(omega_));
+        }
+    }
+    is.check(FUNCTION_NAME);
+}
+
+
+template<class ParcelType>
+template<class CloudType>
+void Foam::SpinningParcel<ParcelType>::readFields(CloudType& c)
+{
+    const bool valid = c.size();
+
+    ParcelType::readFields(c);
+
+    IOField<vector> omega
+    (
+        c.fieldIOobject("omega", IOobject::MUST_READ),
+        valid
+    );
+    c.checkFieldIOobject(c, omega);
+
+    label i = 0;
+    for (SpinningParcel<ParcelType>& p : c)
+    {
+        p.omega_ = omega[i++];
+    }
+}
+
+
+template<class ParcelType>
+template<class CloudType>
+void Foam::SpinningParcel<ParcelType>::writeFields(const CloudType& c)
+{
+    ParcelType::writeFields(c);
+
+    const label n = c.size();
+    IOField<vector> omega(c.fieldIOobject("omega", IOobject::NO_READ), n);
+    label i = 0;
+    for (const SpinningParcel<ParcelType>& p : c)
+    {
+        omega[i++] = p.omega_;
+    }
+    omega.write(n > 0);
+}
+
+
+template<class ParcelType>
+void Foam::SpinningParcel<ParcelType>::writeProperties
+(
+    Ostream& os,
+    const wordRes& filters,
+    const word& delim,
+    const bool namesOnly
+) const
+{
+    ParcelType::writeProperties(os, filters, delim, namesOnly);
+    ParcelType::writeProperty(os, "omega", omega_, namesOnly, delim, filters);
+}
+
+
+template<class ParcelType>
+template<class CloudType>
+void Foam::SpinningParcel<ParcelType>::readObjects
+(
+    CloudType& c,
+    const objectRegistry& obr
+)
+{
+    ParcelType::readObjects(c, obr);
+    if (!c.size())
+    {
+        return;
+    }
+
+    const auto& omega = cloud::lookupIOField<vector>("omega", obr);
+    label i = 0;
+    for (SpinningParcel<ParcelType>& p : c)
+    {
+        p.omega_ = omega[i++];
+    }
+}
+
+
+template<class ParcelType>
+template<class CloudType>
+void Foam::SpinningParcel<ParcelType>::writeObjects
+(
+    const CloudType& c,
+    objectRegistry& obr
+)
+{
+    ParcelType::writeObjects(c, obr);
+
+    auto& omega = cloud::createIOField<vector>("omega", c.size(), obr);
+    label i = 0;
+    for (const SpinningParcel<ParcelType>& p : c)
+    {
+        omega[i++] = p.omega_;
+    }
+}
+
+
+template<class ParcelType>
+Foam::Ostream& Foam::operator<<
+(
+    Ostream& os,
+    const SpinningParcel<ParcelType>& p
+)
+{
+    os << static_cast<const ParcelType&>(p);
+    if (os.format() == IOstream::ASCII)
+    {
+        os << token::SPACE << p.omega_;
+    }
+    else
+    {
+        os.write
+        (
+            reinterpret_cast<const char*>(p.omega_.cdata()),
+            sizeof(p.omega_)
+        );
+    }
+    os.check(FUNCTION_NAME);
+    return os;
+}

@@ -1,0 +1,13 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+
+Description
+    Registers the stock cloud functions and ours for basicSpinningCloud.
+\*---------------------------------------------------------------------------*/
+
+#include "basicSpinningCloud.H"
+#include "ImpactRecords.H"
+#include "makeParcelCloudFunctionObjects.H"
+
+makeParcelCloudFunctionObjects(basicSpinningCloud);
+makeCloudFunctionObjectType(ImpactRecords, basicSpinningCloud);

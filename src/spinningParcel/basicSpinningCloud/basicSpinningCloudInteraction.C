@@ -1,0 +1,18 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+
+Description
+    Registers the stock patch interaction, dispersion, stochastic collision
+    and surface film models for basicSpinningCloud.
+\*---------------------------------------------------------------------------*/
+
+#include "basicSpinningCloud.H"
+#include "makeParcelDispersionModels.H"
+#include "makeParcelPatchInteractionModels.H"
+#include "makeParcelStochasticCollisionModels.H"
+#include "makeParcelSurfaceFilmModels.H"
+
+makeParcelDispersionModels(basicSpinningCloud);
+makeParcelPatchInteractionModels(basicSpinningCloud);
+makeParcelStochasticCollisionModels(basicSpinningCloud);
+makeParcelSurfaceFilmModels(basicSpinningCloud);

@@ -1,0 +1,11 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+
+Description
+    Makes the cloud of spinning parcels selectable in constant/parcelClouds.
+\*---------------------------------------------------------------------------*/
+
+#include "basicSpinningCloud.H"
+#include "kinematicParcelCloud.H"
+
+makeKinematicParcelCloud(spinningKinematicCloud);
