@@ -154,6 +154,10 @@ inline void Foam::ParcelWallModel<CloudType>::leave
     }
     p.U() = V1 + hit.Uw;
     parcelSpin::set(p, fromCore(hit.omega1));
+    if constexpr (parcelSpin::countsImpacts<parcelType>::value)
+    {
+        ++p.nImpacts();
+    }
 
     wallCounters::counts& c = counters_.of(pp.index());
     const scalar mass = p.nParticle()*p.mass();
