@@ -2,10 +2,13 @@
     parcelImpact. License: GPL-3.0-or-later, see COPYING.
 
 Description
-    Registers our cloud function objects for basicKinematicCloud.
+    Registers our cloud function objects and wall models for
+    basicKinematicCloud.
 \*---------------------------------------------------------------------------*/
 
 #include "basicKinematicCloud.H"
 #include "ImpactRecords.H"
+#include "parcelWallModels.H"
 
 makeCloudFunctionObjectType(ImpactRecords, basicKinematicCloud);
+makeParcelWallModels(basicKinematicCloud);

@@ -2,10 +2,13 @@
     parcelImpact. License: GPL-3.0-or-later, see COPYING.
 
 Description
-    Registers our cloud function objects for basicReactingCloud.
+    Registers our cloud function objects and wall models for
+    basicReactingCloud.
 \*---------------------------------------------------------------------------*/
 
 #include "basicReactingCloud.H"
 #include "ImpactRecords.H"
+#include "parcelWallModels.H"
 
 makeCloudFunctionObjectType(ImpactRecords, basicReactingCloud);
+makeParcelWallModels(basicReactingCloud);

@@ -2,10 +2,12 @@
     parcelImpact. License: GPL-3.0-or-later, see COPYING.
 
 Description
-    Registers our cloud function objects for basicThermoCloud.
+    Registers our cloud function objects and wall models for basicThermoCloud.
 \*---------------------------------------------------------------------------*/
 
 #include "basicThermoCloud.H"
 #include "ImpactRecords.H"
+#include "parcelWallModels.H"
 
 makeCloudFunctionObjectType(ImpactRecords, basicThermoCloud);
+makeParcelWallModels(basicThermoCloud);

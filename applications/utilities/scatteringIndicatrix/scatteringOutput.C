@@ -5,6 +5,7 @@
 #include "scatteringOutput.H"
 
 #include "OSspecific.H"
+#include "scatteringTable.H"
 
 #include <algorithm>
 #include <cstdio>
@@ -150,65 +151,19 @@ void Foam::writeResponseTable
 )
 {
     mkDir(folder);
-    const label n = setup.tableSamples;
-    const double radius = setup.sampler.body.radius();
-    const double degrees = 180/M_PI;
-
-    textFile f(folder/"responseTable.csv");
-    f.print
+    std::vector<double> incidences
     (
-        "# scatteringResponse version 1\n"
-        "# A row is one particle; rows of an incidence are in the order of"
-        " alpha2, so that row k of one and of the next angle of incidence"
-        " are the same quantile of alpha2.\n"
-        "# speedRatio = |V2|/|V1|, spin = omega2 %.10g/|V1| in laboratory"
-        " axes (x along the wall, y normal to it)\n"
-        "# nIncidences %ld nRows %ld\n"
-        "alpha1_deg,alpha2_deg,beta2_deg,speedRatio,spinX,spinY,spinZ\n",
-        radius, long(setup.incidences.size()), long(n)
+        setup.incidences.begin(), setup.incidences.end()
     );
-    for (const scalar incidence : setup.incidences)
-    {
-        impact::scatteringSampler::setup one(setup.sampler);
-        one.incidence = incidence;
-        const impact::scatteringSampler sampler(one);
-        std::vector<impact::visitResult> results = sampler.visits(0, n);
-        struct line
-        {
-            double alpha, beta, speed;
-            impact::vector3 spin;
-        };
-        std::vector<line> lines;
-        for (const impact::visitResult& r : results)
-        {
-            const impact::vector3& V = r.state.V;
-            const impact::rotationState& rotation = r.state.rotation;
-            const double unit = radius/one.speed;
-            lines.push_back
-            ({
-                degrees*std::atan2(V.y, V.x),
-                degrees*std::atan2(V.z, std::hypot(V.x, V.y)),
-                mag(V)/one.speed,
-                {
-                    unit*dot(rotation.omega, rotation.ex),
-                    unit*dot(rotation.omega, rotation.ey),
-                    unit*dot(rotation.omega, rotation.ez())
-                }
-            });
-        }
-        std::sort
-        (
-            lines.begin(), lines.end(),
-            [](const line& a, const line& b) { return a.alpha < b.alpha; }
-        );
-        for (const line& l : lines)
-        {
-            f.print
-            (
-                "%.6g,%.6g,%.6g,%.6g,%.5g,%.5g,%.5g\n",
-                incidence, l.alpha, l.beta, l.speed,
-                l.spin.x, l.spin.y, l.spin.z
-            );
-        }
-    }
+    std::sort(incidences.begin(), incidences.end());
+    incidences.erase
+    (
+        std::unique(incidences.begin(), incidences.end()), incidences.end()
+    );
+    const impact::scatteringTable table
+    (
+        setup.sampler, incidences, setup.tableSamples
+    );
+    textFile f(folder/"responseTable.csv");
+    table.write([&](const char* text) { f.print(text); });
 }

@@ -302,10 +302,37 @@ impact::relief impact::relief::flat(double period)
 }
 
 
-impact::reliefPiece::reliefPiece(const relief& r, std::uint64_t seed)
+void impact::relief::setScaled(const relief& other, double scale)
+{
+    *this = other;
+    meanSpacing_ *= scale;
+    sigmaSpacing_ *= scale;
+    sigmaHeight_ *= scale;
+    period_ *= scale;
+    top_ *= scale;
+    for (interval& s : table_)
+    {
+        s.x0 *= scale;
+        s.x1 *= scale;
+        s.c0 *= scale;
+        s.c2 /= scale;
+        s.c3 /= scale*scale;
+        s.top *= scale;
+        s.crest /= scale;
+    }
+}
+
+
+impact::reliefPiece::reliefPiece
+(
+    const relief& r,
+    std::uint64_t seed,
+    int guardKnots
+)
 :
     relief_(&r),
-    seed_(seed)
+    seed_(seed),
+    guard_(guardKnots)
 {
     start(0, 1);
 }
@@ -359,14 +386,14 @@ void impact::reliefPiece::generate
         return;
     }
 
-    const int knots = n + 1 + 2*guard;
+    const int knots = n + 1 + 2*guard_;
     spacing_.resize(knots);
     height_.resize(knots);
     moment_.resize(knots);
     work_.resize(2*knots);
     drawKnots
     (
-        seed_, identity_, from - guard, knots,
+        seed_, identity_, from - guard_, knots,
         relief_->meanSpacing(), relief_->sigmaSpacing(),
         relief_->sigmaHeight(), spacing_.data(), height_.data()
     );
@@ -379,13 +406,13 @@ void impact::reliefPiece::generate
     {
         for (int i = 0; i < n; ++i)
         {
-            xFirst_ -= spacing_[guard + n - i];
+            xFirst_ -= spacing_[guard_ + n - i];
         }
         x = xFirst_;
     }
     for (int i = 0; i < n; ++i)
     {
-        const int k = guard + i;
+        const int k = guard_ + i;
         out[i] = makeInterval
         (
             x, spacing_[k + 1], height_[k], height_[k + 1],

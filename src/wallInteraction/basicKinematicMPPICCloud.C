@@ -1,0 +1,14 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+
+Description
+    Registers our cloud function objects and wall models for
+    basicKinematicMPPICCloud.
+\*---------------------------------------------------------------------------*/
+
+#include "basicKinematicMPPICCloud.H"
+#include "ImpactRecords.H"
+#include "parcelWallModels.H"
+
+makeCloudFunctionObjectType(ImpactRecords, basicKinematicMPPICCloud);
+makeParcelWallModels(basicKinematicMPPICCloud);

@@ -1,0 +1,316 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "NonSphericalRebound.H"
+
+// * * * * * * * * * * * * * * * Local Class * * * * * * * * * * * * * * * * //
+
+template<class CloudType>
+Foam::NonSphericalRebound<CloudType>::wallData::wallData
+(
+    const wallData& other
+)
+:
+    direct
+    (
+        other.direct
+      ? new impact::nonSphericalRebound(*other.direct) : nullptr
+    ),
+    table(other.table),
+    lay(other.lay),
+    layDirection(other.layDirection),
+    firstImpact(other.firstImpact),
+    sized(other.sized),
+    diameterTolerance(other.diameterTolerance),
+    maxImpacts(other.maxImpacts)
+{}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class CloudType>
+void Foam::NonSphericalRebound<CloudType>::compareWithFaces
+(
+    const impact::relief& relief,
+    const label setting
+) const
+{
+    const bool rough = relief.type() == impact::relief::reliefType::rough;
+    const scalar pitch = rough ? 2*relief.meanSpacing() : relief.period();
+    scalar size = GREAT;
+    const polyBoundaryMesh& boundary = this->owner().pMesh().boundaryMesh();
+    forAll(this->patches().ofPatch(), patchi)
+    {
+        if (this->patches().of(patchi) == setting)
+        {
+            for (const vector& S : boundary[patchi].faceAreas())
+            {
+                size = min(size, sqrt(mag(S)));
+            }
+        }
+    }
+    reduce(size, minOp<scalar>());
+    if (rough && pitch > size)
+    {
+        WarningInFunction
+            << this->modelType() << ": the mean pitch of the relief, "
+            << pitch << " m, is coarser than the smallest face of its"
+            << " patches, " << size << " m: the mesh resolves what the relief"
+            << " is to stand for" << endl;
+    }
+}
+
+
+template<class CloudType>
+typename Foam::NonSphericalRebound<CloudType>::wallData
+Foam::NonSphericalRebound<CloudType>::readWall
+(
+    const dictionary& dict,
+    const label setting
+) const
+{
+    typedef impact::wallVisit::treatmentType treatmentType;
+
+    const fileName casePath(this->owner().db().time().globalPath());
+    impact::scatteringSampler::setup setup;
+    scatteringEntries::read(dict, casePath, setup);
+
+    wallData wall;
+    wall.firstImpact = setup.treatment == treatmentType::firstImpact;
+    wall.sized = bool(setup.wall);
+    wall.maxImpacts = setup.maxImpacts;
+    wall.layDirection = Zero;
+    wall.diameterTolerance = 0;
+    const word lay
+    (
+        getWordOf
+        (
+            dict, "lay", "acrossMotion",
+            {"acrossMotion", "acrossFlow", "fixed"}
+        )
+    );
+    wall.lay =
+        lay == "acrossMotion" ? layType::acrossMotion
+      : lay == "acrossFlow" ? layType::acrossFlow : layType::fixed;
+    if (wall.lay == layType::fixed)
+    {
+        wall.layDirection = dict.get<vector>("layDirection");
+        if (mag(wall.layDirection) < VSMALL)
+        {
+            FatalIOErrorInFunction(dict)
+                << "layDirection " << wall.layDirection
+                << ": valid range: any vector but zero"
+                << exit(FatalIOError);
+        }
+    }
+    if (setup.wall)
+    {
+        compareWithFaces(*setup.wall, setting);
+    }
+
+    const word method
+    (
+        getWordOf(dict, "method", "direct", {"direct", "tabulated"})
+    );
+    if (method == "direct")
+    {
+        checked
+        (
+            dict,
+            [&]
+            {
+                wall.direct.reset(new impact::nonSphericalRebound(setup));
+                return true;
+            }
+        );
+        return wall;
+    }
+
+    const fileName file(scatteringEntries::getFile(dict, "table", casePath));
+    const Tuple2<scalar, scalar> range
+    (
+        dict.get<Tuple2<scalar, scalar>>("incidenceRange")
+    );
+    if (!(range.first() > 0 && range.first() <= range.second()))
+    {
+        FatalIOErrorInFunction(dict)
+            << "incidenceRange " << range
+            << ": valid range 0 < lowest <= highest (degrees)"
+            << exit(FatalIOError);
+    }
+    if (wall.lay != layType::acrossMotion && wall.sized)
+    {
+        FatalIOErrorInFunction(dict)
+            << "lay " << lay << ": a table was sampled with the relief lying"
+            << " across the motion; another lay needs method direct"
+            << exit(FatalIOError);
+    }
+    wall.diameterTolerance =
+        dict.getOrDefault<scalar>("diameterTolerance", 0.01);
+    if (!(wall.diameterTolerance > 0 && wall.diameterTolerance < 1))
+    {
+        FatalIOErrorInFunction(dict)
+            << "diameterTolerance " << wall.diameterTolerance
+            << ": valid range (0, 1)" << exit(FatalIOError);
+    }
+    checked
+    (
+        dict,
+        [&]
+        {
+            wall.table = std::make_shared<const impact::scatteringTable>(file);
+            wall.table->checkCovers(setup, range.first(), range.second());
+            return true;
+        }
+    );
+    if (parcelSpin::carried<parcelType>())
+    {
+        Info<< "    " << this->modelType() << ": a table holds arrivals"
+            << " without spin; that of a parcel is used by method direct only"
+            << endl;
+    }
+    return wall;
+}
+
+
+template<class CloudType>
+impact::impactKey Foam::NonSphericalRebound<CloudType>::key
+(
+    const parcelType& p
+)
+{
+    if constexpr (parcelSpin::countsImpacts<parcelType>::value)
+    {
+        return impact::impactKey::ofCount
+        (
+            seed_, p.origProc(), p.origId(), p.nImpacts()
+        );
+    }
+    else
+    {
+        const label step = this->owner().db().time().timeIndex();
+        const uint32_t fraction =
+            impact::impactKey::rounded(p.currentTimeFraction());
+        const bool same =
+            p.origProc() == lastProc_ && p.origId() == lastId_
+         && step == lastStep_ && fraction == lastFraction_;
+        lastProc_ = p.origProc();
+        lastId_ = p.origId();
+        lastStep_ = step;
+        lastFraction_ = fraction;
+        repeat_ = same ? repeat_ + 1 : 0;
+        return impact::impactKey::ofTime
+        (
+            seed_, p.origProc(), p.origId(), step, fraction, repeat_
+        );
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+template<class CloudType>
+Foam::NonSphericalRebound<CloudType>::NonSphericalRebound
+(
+    const dictionary& dict,
+    CloudType& owner
+)
+:
+    ParcelWallModel<CloudType>
+    (
+        dict,
+        owner,
+        typeName,
+        {
+            "pulling impacts", "energy-gaining impacts", "capped",
+            "incidence raised or held"
+        }
+    ),
+    walls_(),
+    wallOf_(this->patches().size(), -1),
+    seed_(scatteringEntries::getSeed(this->coeffDict()))
+{
+    forAll(wallOf_, i)
+    {
+        if (this->fate(i) == ParcelWallModel<CloudType>::fateType::rebound)
+        {
+            wallOf_[i] = label(walls_.size());
+            walls_.push_back(readWall(this->patches()[i], i));
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+template<class CloudType>
+bool Foam::NonSphericalRebound<CloudType>::correct
+(
+    parcelType& p,
+    const polyPatch& pp,
+    bool& keepParticle
+)
+{
+    wallHit hit;
+    if (!this->arrive(p, pp, keepParticle, hit))
+    {
+        return hit.handled;
+    }
+
+    wallData& wall = walls_[wallOf_[hit.setting]];
+    const impact::wallFrame frame =
+        wall.lay == layType::fixed
+      ? impact::wallFrame::along(hit.n, toCore(wall.layDirection))
+      : wall.lay == layType::acrossMotion
+      ? impact::wallFrame::across(hit.n, hit.V0)
+      : impact::wallFrame::across
+        (
+            hit.n, toCore(this->owner().U()[p.cell()] - hit.Uw)
+        );
+    const impact::vector3 V = frame.toWall(hit.V0);
+    const impact::impactKey k(key(p));
+
+    impact::wallDeparture d;
+    if (wall.direct)
+    {
+        d = wall.direct->depart
+        (
+            V, frame.toWall(toCore(hit.omega0)), p.d(), k
+        );
+    }
+    else
+    {
+        const scalar held = wall.table->diameter();
+        if (wall.sized && mag(p.d() - held) > wall.diameterTolerance*held)
+        {
+            FatalErrorInFunction
+                << this->modelType() << ": the table of patch " << pp.name()
+                << " holds particles of diameter " << held
+                << " m, parcel (" << p.origProc() << ' ' << p.origId()
+                << ") has " << p.d() << " m; diameterTolerance is "
+                << wall.diameterTolerance
+                << ". Use method direct for particles of several sizes"
+                << exit(FatalError);
+        }
+        bool outside;
+        d = wall.table->depart(V, p.d(), k, outside);
+        d.raised = outside;
+    }
+    if (d.V.y <= 0 && repeat_ >= uint32_t(wall.maxImpacts))
+    {
+        d.V.y = 0;
+        d.capped = true;
+    }
+
+    hit.V1 = frame.fromWall(d.V);
+    hit.omega1 = frame.fromWall(d.omega);
+    hit.rotation0 = d.rotation0;
+    hit.rotation1 = d.rotation1;
+    this->special(pp, 0) += d.pulling;
+    this->special(pp, 1) += d.gaining;
+    this->special(pp, 2) += d.capped;
+    this->special(pp, 3) += d.raised;
+    this->leave(p, pp, hit);
+    return true;
+}

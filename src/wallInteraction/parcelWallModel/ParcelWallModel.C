@@ -1,0 +1,312 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "ParcelWallModel.H"
+
+// * * * * * * * * * * * * * ParcelWallReport * * * * * * * * * * * * * * * * //
+
+template<class CloudType>
+void Foam::ParcelWallReport<CloudType>::postEvolve
+(
+    FOAM_COMPAT_EVOLVE_ARGS(typename CloudType::parcelType)
+)
+{
+    CloudType& cloud = this->owner();
+    counters_.report
+    (
+        Info,
+        cloud.outputProperties(),
+        true,
+        cloud.solution().transient() && cloud.db().time().writeTime()
+    );
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class CloudType>
+void Foam::ParcelWallModel<CloudType>::publish
+(
+    const parcelType& p,
+    const polyPatch& pp,
+    const wallHit& hit,
+    const vector& U1,
+    const bool captured
+)
+{
+    const Time& time = this->owner().db().time();
+    const scalar mass = p.mass();
+    const bool spin = parcelSpin::carried<parcelType>();
+
+    wallImpact impact;
+    impact.patch = pp.index();
+    impact.face = pp.whichFace(p.face());
+    impact.origProc = p.origProc();
+    impact.origId = p.origId();
+    impact.time =
+        time.value() - (1 - p.currentTimeFraction())*time.deltaTValue();
+    impact.position = p.position();
+    impact.n = fromCore(hit.n);
+    impact.Uw = hit.Uw;
+    impact.U0 = hit.U0;
+    impact.U1 = U1;
+    impact.omega0 = hit.omega0;
+    impact.omega1 = spin ? fromCore(hit.omega1) : vector(Zero);
+    impact.rotationalEnergy0 = spin ? mass*hit.rotation0 : 0;
+    impact.rotationalEnergy1 = spin ? mass*hit.rotation1 : 0;
+    impact.d = p.d();
+    impact.mass = mass;
+    impact.nParticle = p.nParticle();
+    impact.captured = captured;
+    impacts_.publish(impact);
+}
+
+
+// * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * * //
+
+template<class CloudType>
+inline bool Foam::ParcelWallModel<CloudType>::arrive
+(
+    parcelType& p,
+    const polyPatch& pp,
+    bool& keepParticle,
+    wallHit& hit
+)
+{
+    hit.setting = patches_.of(pp.index());
+    hit.handled = hit.setting >= 0;
+    if (!hit.handled)
+    {
+        return false;
+    }
+    const fateType fate = fates_[hit.setting];
+    keepParticle = true;
+    p.active(true);
+    if (fate == fateType::escape)
+    {
+        wallCounters::counts& c = counters_.of(pp.index());
+        c[wallCounters::escapedParcels] += 1;
+        c[wallCounters::escapedMass] += p.nParticle()*p.mass();
+        keepParticle = false;
+        p.active(false);
+        return false;
+    }
+
+    vector nw;
+    this->owner().patchData(p, pp, nw, hit.Uw);
+    hit.U0 = p.U();
+    const vector V0(hit.U0 - hit.Uw);
+    if ((V0 & nw) <= 0)
+    {
+        return false;
+    }
+    hit.n = toCore(-nw);
+    hit.V0 = toCore(V0);
+    hit.omega0 = parcelSpin::get(p);
+    hit.radius = 0.5*p.d();
+
+    if (fate == fateType::capture)
+    {
+        wallCounters::counts& c = counters_.of(pp.index());
+        const scalar mass = p.nParticle()*p.mass();
+        hit.V1 = hit.omega1 = {0, 0, 0};
+        hit.rotation0 =
+            impact::sphereRotationalEnergy(hit.radius, toCore(hit.omega0));
+        hit.rotation1 = 0;
+        c[wallCounters::hits] += 1;
+        c[wallCounters::capturedParcels] += 1;
+        c[wallCounters::capturedMass] += mass;
+        c[wallCounters::translationLost] +=
+            mass*impact::translationalEnergy(hit.V0);
+        c[wallCounters::rotationLost] += mass*hit.rotation0;
+        if (impacts_.heard())
+        {
+            publish(p, pp, hit, hit.Uw, true);
+        }
+        keepParticle = false;
+        p.active(false);
+        return false;
+    }
+    return true;
+}
+
+
+template<class CloudType>
+inline void Foam::ParcelWallModel<CloudType>::leave
+(
+    parcelType& p,
+    const polyPatch& pp,
+    const wallHit& hit
+)
+{
+    vector V1(fromCore(hit.V1));
+    if (reduced_)
+    {
+        const polyMesh& mesh = this->owner().pMesh();
+        const scalar speed = mag(V1);
+        meshTools::constrainDirection(mesh, mesh.solutionD(), V1);
+        const scalar rest = mag(V1);
+        if (keepSpeed_ && rest > 0)
+        {
+            V1 *= speed/rest;
+        }
+    }
+    p.U() = V1 + hit.Uw;
+    parcelSpin::set(p, fromCore(hit.omega1));
+    if constexpr (parcelSpin::countsImpacts<parcelType>::value)
+    {
+        ++p.nImpacts();
+    }
+
+    wallCounters::counts& c = counters_.of(pp.index());
+    const scalar mass = p.nParticle()*p.mass();
+    c[wallCounters::hits] += 1;
+    c[wallCounters::translationLost] += mass
+       *(
+            impact::translationalEnergy(hit.V0)
+          - impact::translationalEnergy(toCore(V1))
+        );
+    if (parcelSpin::carried<parcelType>())
+    {
+        c[wallCounters::rotationLost] +=
+            mass*(hit.rotation0 - hit.rotation1);
+    }
+    if (impacts_.heard())
+    {
+        publish(p, pp, hit, p.U(), false);
+    }
+}
+
+
+template<class CloudType>
+void Foam::ParcelWallModel<CloudType>::startReport()
+{
+    auto& functions = this->owner().functions();
+    for (const auto& function : functions)
+    {
+        if (isA<ParcelWallReport<CloudType>>(function))
+        {
+            return;
+        }
+    }
+    functions.append(new ParcelWallReport<CloudType>(this->owner()));
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+template<class CloudType>
+Foam::ParcelWallModel<CloudType>::ParcelWallModel
+(
+    const dictionary& dict,
+    CloudType& owner,
+    const word& type,
+    const List<string>& specials
+)
+:
+    PatchInteractionModel<CloudType>(dict, owner, type),
+    nested_(&dict != &owner.subModelProperties()),
+    patches_
+    (
+        this->coeffDict(), owner.pMesh().boundaryMesh(), type, !nested_
+    ),
+    fates_(patches_.size()),
+    counters_(wallCounters::New(owner)),
+    impacts_(wallImpacts::New(owner)),
+    reduced_(owner.pMesh().nSolutionD() < 3),
+    keepSpeed_
+    (
+        getWordOf
+        (
+            this->coeffDict(), "reducedDimensions", "project",
+            {"project", "keepSpeed"}
+        ) == "keepSpeed"
+    )
+{
+    forAll(fates_, i)
+    {
+        const word fate
+        (
+            getWordOf
+            (
+                patches_[i], "type", "rebound",
+                {"rebound", "escape", "capture"}
+            )
+        );
+        fates_[i] =
+            fate == "rebound" ? fateType::rebound
+          : fate == "escape" ? fateType::escape : fateType::capture;
+    }
+    forAll(patches_.ofPatch(), patchi)
+    {
+        const label i = patches_.of(patchi);
+        if (i < 0)
+        {
+            continue;
+        }
+        const word& patch = owner.pMesh().boundaryMesh()[patchi].name();
+        const word other
+        (
+            counters_.declare
+            (
+                patchi,
+                patch,
+                type,
+                nested_,
+                fates_[i] == fateType::escape,
+                specials
+            )
+        );
+        if (!other.empty())
+        {
+            FatalIOErrorInFunction(this->coeffDict())
+                << type << ": entry 'patches', patch " << patch
+                << " is that of another model of this cloud already, "
+                << other << "; one law to a patch" << exit(FatalIOError);
+        }
+        if (fates_[i] != fateType::escape)
+        {
+            impacts_.publishes(patchi);
+        }
+    }
+    if (nested_)
+    {
+        startReport();
+    }
+}
+
+
+template<class CloudType>
+Foam::ParcelWallModel<CloudType>::ParcelWallModel(const ParcelWallModel<CloudType>& other)
+:
+    PatchInteractionModel<CloudType>(other),
+    nested_(other.nested_),
+    patches_(other.patches_),
+    fates_(other.fates_),
+    counters_(other.counters_),
+    impacts_(other.impacts_),
+    reduced_(other.reduced_),
+    keepSpeed_(other.keepSpeed_)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+template<class CloudType>
+void Foam::ParcelWallModel<CloudType>::info(FOAM_COMPAT_INFO_ARGS)
+{
+    if (nested_)
+    {
+        return;
+    }
+    PatchInteractionModel<CloudType>::info(FOAM_COMPAT_INFO_PASS);
+    this->file() << endl;
+    counters_.report
+    (
+        FOAM_COMPAT_INFO_STREAM,
+        this->owner().outputProperties(),
+        false,
+        this->writeTime()
+    );
+}

@@ -1,0 +1,137 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "wallCounters.H"
+#include "ListOps.H"
+#include "PstreamReduceOps.H"
+#include "ops.H"
+
+namespace Foam
+{
+    defineTypeNameAndDebug(wallCounters, 0);
+}
+
+
+Foam::wallCounters::wallCounters(const IOobject& io)
+:
+    regIOobject(io),
+    patches_()
+{}
+
+
+Foam::wallCounters& Foam::wallCounters::New(const cloud& c)
+{
+    if (!c.foundObject<wallCounters>(typeName))
+    {
+        regIOobject::store
+        (
+            new wallCounters
+            (
+                IOobject
+                (
+                    typeName,
+                    c.time().timeName(),
+                    c,
+                    IOobject::NO_READ,
+                    IOobject::NO_WRITE
+                )
+            )
+        );
+    }
+    return c.lookupObjectRef<wallCounters>(typeName);
+}
+
+
+Foam::word Foam::wallCounters::declare
+(
+    const label patchi,
+    const word& patch,
+    const word& model,
+    const bool nested,
+    const bool open,
+    const List<string>& specials
+)
+{
+    if (patchi >= patches_.size())
+    {
+        patches_.resize(patchi + 1);
+    }
+    if (patches_.set(patchi))
+    {
+        return patches_[patchi].model;
+    }
+    patches_.set
+    (
+        patchi,
+        new patchCounts{patch, model, nested, open, specials, counts(Zero)}
+    );
+    return word();
+}
+
+
+void Foam::wallCounters::report
+(
+    Ostream& os,
+    dictionary& properties,
+    const bool nested,
+    const bool store
+)
+{
+    forAll(patches_, patchi)
+    {
+        if (!patches_.set(patchi) || patches_[patchi].nested != nested)
+        {
+            continue;
+        }
+        patchCounts& p = patches_[patchi];
+        dictionary& stored =
+            properties.subDictOrAdd("patchInteractionModel")
+           .subDictOrAdd(p.model);
+        const word entry("wallCounters_" + p.patch);
+
+        scalarList total(stored.getOrDefault<scalarList>(entry, scalarList()));
+        total.resize(nQuantities, Zero);
+        scalarList recent(p.sinceStored);
+        Pstream::listCombineGather(recent, plusEqOp<scalar>());
+        Pstream::listCombineScatter(recent);
+        forAll(total, i)
+        {
+            total[i] += recent[i];
+        }
+
+        os  << "    Wall impacts: " << p.model << ", patch " << p.patch << nl;
+        if (p.open)
+        {
+            os  << "      - escaped (number, mass)      = "
+                << total[escapedParcels] << ", " << total[escapedMass] << nl;
+        }
+        else
+        {
+            os  << "      - hits                        = "
+                << total[hits] << nl
+                << "      - captured (number, mass)     = "
+                << total[capturedParcels] << ", " << total[capturedMass]
+                << nl
+                << "      - energy lost (transl., rot.) = "
+                << total[translationLost] << ", " << total[rotationLost]
+                << nl;
+            forAll(p.specials, i)
+            {
+                os  << "      - " << p.specials[i].c_str();
+                for (label k = p.specials[i].size(); k < 28; ++k)
+                {
+                    os  << ' ';
+                }
+                os  << "= " << total[special + i] << nl;
+            }
+        }
+
+        if (store)
+        {
+            stored.set(entry, total);
+            p.sinceStored = Zero;
+        }
+    }
+    os  << flush;
+}

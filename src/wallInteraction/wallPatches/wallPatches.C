@@ -1,0 +1,109 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "wallPatches.H"
+#include "FlatOutput.H"
+#include "dictionaryEntry.H"
+
+Foam::wallPatches::wallPatches
+(
+    const dictionary& dict,
+    const polyBoundaryMesh& boundary,
+    const word& model,
+    bool complete
+)
+:
+    settings_(),
+    ofPatch_(boundary.nNonProcessor(), -1)
+{
+    // Processor patches differ from rank to rank and are no walls
+    wordList valid;
+    forAll(ofPatch_, patchi)
+    {
+        if (!polyPatch::constraintType(boundary[patchi].type()))
+        {
+            valid.append(boundary[patchi].name());
+        }
+    }
+
+    ITstream& is = dict.lookup("patches");
+    is.readBegin("patches");
+    token next(is);
+    while (next != token::END_LIST)
+    {
+        is.putBack(next);
+        const dictionaryEntry item(dict, is);
+        const keyType& name = item.keyword();
+        const label number = settings_.size();
+        settings_.append(new dictionary(item.dict()));
+
+        bool found = false;
+        for (const label patchi : boundary.indices(name, true))
+        {
+            if (patchi >= ofPatch_.size())
+            {
+                continue;
+            }
+            const polyPatch& patch = boundary[patchi];
+            if (polyPatch::constraintType(patch.type()))
+            {
+                if (!name.isPattern() && name == patch.name())
+                {
+                    FatalIOErrorInFunction(dict)
+                        << model << ": entry 'patches', patch " << name
+                        << " is of type " << patch.type()
+                        << ", where nothing can rebound; valid patches: "
+                        << flatOutput(valid) << exit(FatalIOError);
+                }
+                continue;
+            }
+            if (ofPatch_[patchi] != -1)
+            {
+                FatalIOErrorInFunction(dict)
+                    << model << ": entry 'patches', patch " << patch.name()
+                    << " is matched twice, by item "
+                    << ofPatch_[patchi] + 1 << " and by item " << number + 1
+                    << " (" << name << "); one law to a patch"
+                    << exit(FatalIOError);
+            }
+            ofPatch_[patchi] = number;
+            found = true;
+        }
+        if (!found)
+        {
+            FatalIOErrorInFunction(dict)
+                << model << ": entry 'patches', value " << name
+                << " matches none of the valid patches: "
+                << flatOutput(valid) << exit(FatalIOError);
+        }
+        is.read(next);
+    }
+    if (settings_.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << model << ": entry 'patches', value (), needs at least one of"
+            << " the patches " << flatOutput(valid) << exit(FatalIOError);
+    }
+
+    wordList missing;
+    forAll(ofPatch_, patchi)
+    {
+        if
+        (
+            ofPatch_[patchi] == -1
+         && !polyPatch::constraintType(boundary[patchi].type())
+        )
+        {
+            missing.append(boundary[patchi].name());
+        }
+    }
+    if (complete && !missing.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << model << ": entry 'patches' lacks the patches "
+            << flatOutput(missing) << ": what happens there? Give them the"
+            << " law or one of 'type escape;' and 'type capture;', or use the"
+            << " model within multiInteraction" << exit(FatalIOError);
+    }
+}

@@ -1,0 +1,257 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+
+Description
+    A hard sphere on a wall against the conservation laws, against the
+    component formulae of its source in the frame of the wall, and against the
+    closed solution for a contact at rest; extremes and bad values.
+\*---------------------------------------------------------------------------*/
+
+#include "hardSphereWall.H"
+#include "counterRandom.H"
+
+#include <gtest/gtest.h>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+using namespace impact;
+
+namespace
+{
+
+vector3 randomUnit(counterRandom& rnd)
+{
+    const vector3 v = {rnd.normal(), rnd.normal(), rnd.normal()};
+    return (1/mag(v))*v;
+}
+
+
+//- Angular momentum per unit mass about the contact point
+vector3 momentumAboutContact
+(
+    const vector3& n,
+    double radius,
+    const sphereState& s
+)
+{
+    return radius*cross(n, s.V) + sphereInertia(radius)*s.omega;
+}
+
+
+double energy(double radius, const sphereState& s)
+{
+    return translationalEnergy(s.V) + sphereRotationalEnergy(radius, s.omega);
+}
+
+
+//- The message with which something is refused
+template<class Action>
+std::string refusal(Action action)
+{
+    try
+    {
+        action();
+    }
+    catch (const std::invalid_argument& error)
+    {
+        return error.what();
+    }
+    return "none";
+}
+
+
+bool finite(const sphereState& s)
+{
+    return std::isfinite(mag(s.V)) && std::isfinite(mag(s.omega));
+}
+
+} // End anonymous namespace
+
+
+TEST(hardSphereWall, keepsItsLawsForAnyNormal)
+{
+    int sliding = 0, sticking = 0;
+    for (int i = 0; i < 20000; ++i)
+    {
+        counterRandom rnd(11, i);
+        const double e = rnd.uniform();
+        const double f = rnd.uniform();
+        const double r = std::pow(10, -7 + 5*rnd.uniform());
+        const vector3 n = randomUnit(rnd);
+        const auto law = hardSphereWall::constant(e, f);
+        sphereState s;
+        do
+        {
+            s.V = (300*rnd.uniform())*randomUnit(rnd);
+        }
+        while (dot(s.V, n) >= 0);
+        s.omega = (300*rnd.uniform()/r)*randomUnit(rnd);
+        const sphereState before = s;
+
+        const bool slides = law.rebound(n, r, s);
+        (slides ? sliding : sticking)++;
+
+        const double scale = mag(before.V) + r*mag(before.omega);
+        EXPECT_NEAR(dot(s.V, n), -e*dot(before.V, n), 1e-13*scale);
+        EXPECT_NEAR
+        (
+            r*dot(s.omega, n), r*dot(before.omega, n), 1e-13*scale
+        );
+        const vector3 dL =
+            momentumAboutContact(n, r, s)
+          - momentumAboutContact(n, r, before);
+        EXPECT_LT(mag(dL), 2e-14*r*scale);
+        EXPECT_LE(energy(r, s), (1 + 1e-13)*energy(r, before));
+
+        const vector3 impulse = s.V - before.V;
+        const double Jn = dot(impulse, n);
+        const vector3 Jt = impulse - Jn*n;
+        const vector3 after = contactVelocity(n, r, s);
+        const vector3 slipAfter = after - dot(after, n)*n;
+        if (slides)
+        {
+            // On the friction cone, against the slip, which goes on
+            EXPECT_NEAR(mag(Jt), f*Jn, 1e-12*scale);
+            EXPECT_LE(dot(Jt, slipAfter), 1e-12*scale*scale);
+        }
+        else
+        {
+            EXPECT_LT(mag(slipAfter), 1e-13*scale);
+            EXPECT_LE(mag(Jt), f*Jn + 1e-12*scale);
+        }
+    }
+    EXPECT_GT(sliding, 1000);
+    EXPECT_GT(sticking, 1000);
+}
+
+
+TEST(hardSphereWall, equalsTheFormulaeOfTheSource)
+{
+    // Page 2.5 in components, y the normal: written down once more
+    for (int i = 0; i < 2000; ++i)
+    {
+        counterRandom rnd(12, i);
+        const double e = rnd.uniform(), f = rnd.uniform(), r = 25e-6;
+        const double vx = 200*rnd.normal(), vz = 200*rnd.normal();
+        const double vy = -100*rnd.uniform();
+        const double wx = 1e6*rnd.normal(), wy = 1e6*rnd.normal();
+        const double wz = 1e6*rnd.normal();
+
+        sphereState s = {{vx, vy, vz}, {wx, wy, wz}};
+        hardSphereWall::constant(e, f).rebound({0, 1, 0}, r, s);
+
+        const double sx = vx + r*wz, sz = vz - r*wx;
+        const double slip = std::hypot(sx, sz);
+        sphereState expected;
+        if (-vy/slip < 2/(7*f*(1 + e)))
+        {
+            const double ex = sx/slip, ez = sz/slip;
+            const double push = f*(1 + e)*vy;
+            expected.V = {vx + ex*push, -e*vy, vz + ez*push};
+            expected.omega =
+                {wx - 2.5/r*ez*push, wy, wz + 2.5/r*ex*push};
+        }
+        else
+        {
+            const double ux = 5./7*(vx - 2*r/5*wz);
+            const double uz = 5./7*(vz + 2*r/5*wx);
+            expected.V = {ux, -e*vy, uz};
+            expected.omega = {uz/r, wy, -ux/r};
+        }
+        EXPECT_LT(mag(s.V - expected.V), 1e-12*400);
+        EXPECT_LT(r*mag(s.omega - expected.omega), 1e-12*400);
+    }
+}
+
+
+TEST(hardSphereWall, changesRegimeWhereTheConeEnds)
+{
+    // Sliding below tan(angle) = 2/(7 f (1 + e)), sticking above
+    const double e = 0.7, f = 0.2;
+    const double limit = 2/(7*f*(1 + e));
+    const auto law = hardSphereWall::constant(e, f);
+    sphereState low = {{1, -limit*(1 - 1e-9), 0}, {0, 0, 0}};
+    sphereState high = {{1, -limit*(1 + 1e-9), 0}, {0, 0, 0}};
+    EXPECT_TRUE(law.rebound({0, 1, 0}, 1e-5, low));
+    EXPECT_FALSE(law.rebound({0, 1, 0}, 1e-5, high));
+    EXPECT_NEAR(low.V.x, 5./7, 1e-8);
+    EXPECT_NEAR(high.V.x, 5./7, 1e-8);
+}
+
+
+TEST(hardSphereWall, restitutionOfMcNamaraAndFalcon)
+{
+    const auto law = hardSphereWall::McNamaraFalcon(0.7, 0.3, 0.2);
+    EXPECT_DOUBLE_EQ(law.restitution(0), 1);
+    EXPECT_DOUBLE_EQ(law.restitution(0.3), 0.7);
+    EXPECT_NEAR(law.restitution(0.3/32), 1 - 0.3/2, 1e-14);
+    EXPECT_NEAR(law.restitution(0.3*16), 0.35, 1e-14);
+    EXPECT_NEAR(law.restitution(0.3*(1 + 1e-9)), 0.7, 1e-8);
+
+    sphereState s = {{0, -4.8, 0}, {0, 0, 0}};
+    law.rebound({0, 1, 0}, 1e-5, s);
+    EXPECT_NEAR(s.V.y, 0.35*4.8, 1e-13);
+}
+
+
+TEST(hardSphereWall, survivesExtremes)
+{
+    const vector3 n = {0, 0, 1};
+    for (const double e : {0., 0.7, 1.})
+    {
+        for (const double f : {0., 0.2, 1e6})
+        {
+            const auto law = hardSphereWall::constant(e, f);
+
+            // No slip at all: the sphere rolls in
+            const double r = 0x1p-17;
+            sphereState rolling = {{64, 0, -8}, {0, 64/r, 0}};
+            law.rebound(n, r, rolling);
+            EXPECT_EQ(rolling.V.x, 64);
+            EXPECT_EQ(rolling.V.z, 8*e);
+            EXPECT_EQ(rolling.omega.y, 64/r);
+
+            // Straight down without spin
+            sphereState down = {{0, 0, -8}, {0, 0, 0}};
+            law.rebound(n, r, down);
+            EXPECT_EQ(down.V.x, 0);
+            EXPECT_EQ(down.V.y, 0);
+            EXPECT_EQ(down.V.z, 8*e);
+            EXPECT_EQ(mag(down.omega), 0);
+
+            // Grazing, fast spin, slip too small to square
+            sphereState graze = {{300, 0, -300e-9}, {0, 0, 0}};
+            law.rebound(n, 5e-6, graze);
+            EXPECT_TRUE(finite(graze));
+            EXPECT_NEAR(graze.V.z, 300e-9*e, 1e-20);
+            sphereState spinning = {{1, 0, -1}, {1e9, -1e9, 1e9}};
+            const double before = energy(5e-6, spinning);
+            law.rebound(n, 5e-6, spinning);
+            EXPECT_TRUE(finite(spinning));
+            EXPECT_EQ(spinning.omega.z, 1e9);
+            EXPECT_LE(energy(5e-6, spinning), before*(1 + 1e-13));
+            sphereState tiny = {{1e-200, 0, -1}, {0, 1e-200, 0}};
+            law.rebound(n, 5e-6, tiny);
+            EXPECT_TRUE(finite(tiny));
+        }
+    }
+    const auto fast = hardSphereWall::McNamaraFalcon(0, 1e-9, 0.2);
+    sphereState s = {{1, 0, -1e-300}, {0, 0, 0}};
+    fast.rebound(n, 1e-6, s);
+    EXPECT_TRUE(finite(s));
+}
+
+
+TEST(hardSphereWall, refusesBadValues)
+{
+    typedef hardSphereWall law;
+    auto text = refusal([] { law::constant(1.1, 0.2); });
+    EXPECT_NE(text.find("restitution 1.1"), std::string::npos) << text;
+    EXPECT_NE(text.find("[0, 1]"), std::string::npos) << text;
+    text = refusal([] { law::constant(0.5, -0.1); });
+    EXPECT_NE(text.find("friction -0.1"), std::string::npos) << text;
+    text = refusal([] { law::McNamaraFalcon(0.5, 0, 0.1); });
+    EXPECT_NE(text.find("restitutionSpeed 0"), std::string::npos) << text;
+    EXPECT_THROW(law::constant(-1e-9, 0.2), std::invalid_argument);
+}

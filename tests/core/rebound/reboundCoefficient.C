@@ -1,0 +1,179 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+
+Description
+    Functions of impact angle and speed: values, ranges, refusals.
+\*---------------------------------------------------------------------------*/
+
+#include "reboundCoefficient.H"
+
+#include <gtest/gtest.h>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+using namespace impact;
+
+namespace
+{
+
+const reboundCoefficient::quantity unit = {"normal", 0, 1};
+
+typedef reboundCoefficient form;
+
+template<class Action>
+std::string refusal(Action action)
+{
+    try
+    {
+        action();
+    }
+    catch (const std::invalid_argument& error)
+    {
+        return error.what();
+    }
+    return "none";
+}
+
+} // End anonymous namespace
+
+
+TEST(reboundCoefficient, constant)
+{
+    const auto c = form::constant(unit, 0.4);
+    EXPECT_EQ(c(0, 0), 0.4);
+    EXPECT_EQ(c(90, 1e9), 0.4);
+    EXPECT_FALSE(c.outside(90, 1e9));
+}
+
+
+TEST(reboundCoefficient, tableIsBilinear)
+{
+    // A bilinear function is met everywhere between the points
+    auto f = [](double a, double v) { return 0.1 + 0.002*a + 2e-5*a*v; };
+    const std::vector<double> angles = {5, 20, 90}, speeds = {10, 100, 300};
+    std::vector<double> values;
+    for (const double a : angles)
+    {
+        for (const double v : speeds)
+        {
+            values.push_back(f(a, v));
+        }
+    }
+    const auto c = form::table(unit, angles, speeds, values);
+    for (double a = 5; a <= 90; a += 1.7)
+    {
+        for (double v = 10; v <= 300; v += 7.3)
+        {
+            EXPECT_NEAR(c(a, v), f(a, v), 1e-14);
+            EXPECT_FALSE(c.outside(a, v));
+        }
+    }
+    EXPECT_EQ(c(90, 300), values.back());
+    EXPECT_NEAR(c(1, 100), f(5, 100), 1e-15);
+    EXPECT_NEAR(c(20, 1e6), f(20, 300), 1e-15);
+    EXPECT_TRUE(c.outside(1, 100));
+    EXPECT_TRUE(c.outside(20, 9.9));
+    EXPECT_TRUE(c.outside(20, 301));
+}
+
+
+TEST(reboundCoefficient, tableOfAngleAlone)
+{
+    const auto c = form::table(unit, {0, 90}, {0}, {1, 0.1});
+    EXPECT_NEAR(c(45, 1e9), 0.55, 1e-15);
+    EXPECT_FALSE(c.outside(45, 1e9));
+    const auto one = form::table(unit, {30}, {0}, {0.3});
+    EXPECT_EQ(one(30, 5), 0.3);
+    EXPECT_TRUE(one.outside(31, 5));
+}
+
+
+TEST(reboundCoefficient, polynomialInRadians)
+{
+    const auto c =
+        form::polynomial(unit, {{0.9, 1e-4}, {-0.3, 0}, {0.05, 0}}, 0, 90,
+            0, 500);
+    const double a = 35, x = a*std::acos(-1.)/180, v = 123;
+    EXPECT_NEAR(c(a, v), 0.9 + 1e-4*v - 0.3*x + 0.05*x*x, 1e-14);
+    EXPECT_NEAR(c(a, 600), c(a, 500), 1e-15);
+    EXPECT_TRUE(c.outside(a, 600));
+    EXPECT_FALSE(c.outside(a, 499));
+
+    const auto angleOnly =
+        form::polynomial(unit, {{0.9}, {-0.3}}, 0, 90, 0, 0);
+    EXPECT_FALSE(angleOnly.outside(10, 1e9));
+    EXPECT_NEAR(angleOnly(0, 1e9), 0.9, 1e-15);
+}
+
+
+TEST(reboundCoefficient, corundumOnSteel)
+{
+    const auto c = form::corundumOnSteel();
+    EXPECT_EQ(c(0, 200), 1);
+    EXPECT_EQ(c(90, 0), 1);
+    const double s = std::sin(std::acos(-1.)/18);
+    EXPECT_NEAR
+    (
+        c(10, 200), 1 - (1 - std::exp(-0.1*std::pow(200, 0.61)))*s, 1e-14
+    );
+    // What the physics page says of it
+    EXPECT_NEAR(c(10, 200), 0.84, 0.005);
+    EXPECT_NEAR(c(20, 200), 0.69, 0.005);
+}
+
+
+TEST(reboundCoefficient, refusesBadInput)
+{
+    auto expect = [](const std::string& text, const char* word)
+    {
+        EXPECT_NE(text.find(word), std::string::npos) << text;
+    };
+    expect(refusal([] { form::constant(unit, 1.2); }), "normal 1.2");
+    expect
+    (
+        refusal([] { form::table(unit, {10, 5}, {0}, {0.1, 0.2}); }),
+        "must increase"
+    );
+    expect
+    (
+        refusal([] { form::table(unit, {10, 95}, {0}, {0.1, 0.2}); }),
+        "[0, 90]"
+    );
+    expect
+    (
+        refusal([] { form::table(unit, {10, 20}, {0}, {0.1}); }),
+        "need 2 values, there are 1"
+    );
+    expect
+    (
+        refusal([] { form::table(unit, {10, 20}, {0}, {0.1, 1.2}); }),
+        "1.2"
+    );
+    expect(refusal([] { form::table(unit, {}, {0}, {}); }), "empty");
+    expect
+    (
+        refusal
+        (
+            [] { form::polynomial(unit, {{0.9}, {-2}}, 0, 90, 0, 0); }
+        ),
+        "of the polynomial is"
+    );
+    expect
+    (
+        refusal
+        (
+            [] { form::polynomial(unit, {{1, 0}, {0}}, 0, 90, 0, 1); }
+        ),
+        "rows of"
+    );
+    expect(refusal([] { form::polynomial(unit, {}, 0, 90, 0, 1); }), "empty");
+    expect
+    (
+        refusal
+        (
+            [] { form::polynomial(unit, {{0.5, 0}}, 0, 90, 3, 1); }
+        ),
+        "must increase"
+    );
+}
