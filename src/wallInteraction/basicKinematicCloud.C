@@ -6,6 +6,10 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "basicKinematicCloud.H"
+#include "DispersedPhase.H"
 #include "ImpactRecords.H"
+#include "SurfaceImpact.H"
 
+makeCloudFunctionObjectType(DispersedPhase, basicKinematicCloud);
 makeCloudFunctionObjectType(ImpactRecords, basicKinematicCloud);
+makeCloudFunctionObjectType(SurfaceImpact, basicKinematicCloud);

@@ -6,6 +6,10 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "basicKinematicCollidingCloud.H"
+#include "DispersedPhase.H"
 #include "ImpactRecords.H"
+#include "SurfaceImpact.H"
 
+makeCloudFunctionObjectType(DispersedPhase, basicKinematicCollidingCloud);
 makeCloudFunctionObjectType(ImpactRecords, basicKinematicCollidingCloud);
+makeCloudFunctionObjectType(SurfaceImpact, basicKinematicCollidingCloud);

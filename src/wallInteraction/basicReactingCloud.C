@@ -6,6 +6,10 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "basicReactingCloud.H"
+#include "DispersedPhase.H"
 #include "ImpactRecords.H"
+#include "SurfaceImpact.H"
 
+makeCloudFunctionObjectType(DispersedPhase, basicReactingCloud);
 makeCloudFunctionObjectType(ImpactRecords, basicReactingCloud);
+makeCloudFunctionObjectType(SurfaceImpact, basicReactingCloud);

@@ -6,6 +6,10 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "basicThermoCloud.H"
+#include "DispersedPhase.H"
 #include "ImpactRecords.H"
+#include "SurfaceImpact.H"
 
+makeCloudFunctionObjectType(DispersedPhase, basicThermoCloud);
 makeCloudFunctionObjectType(ImpactRecords, basicThermoCloud);
+makeCloudFunctionObjectType(SurfaceImpact, basicThermoCloud);
