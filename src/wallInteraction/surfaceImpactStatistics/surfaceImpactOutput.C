@@ -17,10 +17,10 @@ Description
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-const Foam::List<Foam::surfaceImpactStatistics::result>&
+const std::vector<Foam::surfaceImpactStatistics::result>&
 Foam::surfaceImpactStatistics::results()
 {
-    static const List<result> all
+    static const std::vector<result> all
     ({
         {"intensity", NUMBER, false, false, inv(dimArea*dimTime)},
         {"firstIntensity", FIRST, false, false, inv(dimArea*dimTime)},
@@ -144,7 +144,7 @@ void Foam::surfaceImpactStatistics::writeTable
 
     // Five results, the parcels, their errors; then each with its error
     const label nLeading = 5;
-    const List<result>& all = results();
+    const std::vector<result>& all = results();
     os  << firstColumn.c_str();
     for (label i = 0; i < nLeading; ++i)
     {
