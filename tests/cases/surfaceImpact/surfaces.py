@@ -402,6 +402,21 @@ verdict("stops_at_the_error", status == 0 and "the target is met" in text
         and os.path.exists(os.path.join(
             case, last, CLOUD + ":surfaceImpact:intensity")),
         f"at {last} s with {worst:.3f}")
+
+# The same in our own solver, over a frozen gas
+for time in times_of(case)[1:]:
+    shutil.rmtree(os.path.join(case, time))
+shutil.rmtree(os.path.join(case, "postProcessing"))
+write_foam(case, "constant/parcelClouds", f"clouds ({CLOUD});")
+write_foam(case, "system/fvSolution", "highSpeedGas { mode frozen; }")
+shutil.copy(os.path.join(os.environ["tutorial"], "system/fvSchemes"),
+            os.path.join(case, "system/fvSchemes"))
+status, text = run(case, "rhoCentralParcelFoam")
+ours, stock = times_of(case)[-1], last
+verdict("stops_rhoCentralParcelFoam", status == 0 and ours == stock
+        and "the target is met" in text
+        and os.path.exists(os.path.join(case, ours, "uniform/complete")),
+        f"at {ours} s: {complaint(text) if status else 'End'}")
 shutil.rmtree(case)
 
 # ------------------------------------------------------------------ bad input
