@@ -118,7 +118,12 @@ Foam::ImpactFunction<CloudType, Recorder>::postPatch
     const label patchi = pp.index();
     if (published_ && patches_[patchi] && !published_->published(patchi))
     {
+        // Colliding clouds track in parts of the step
         const Time& time = this->owner().time();
+        const TimeState& step =
+            time.subCycling()
+          ? time.prevTimeState()
+          : static_cast<const TimeState&>(time);
 
         vector nw;
         vector Uw;
@@ -130,7 +135,7 @@ Foam::ImpactFunction<CloudType, Recorder>::postPatch
         i.origProc = p.origProc();
         i.origId = p.origId();
         i.time =
-            time.value() - (1 - p.currentTimeFraction())*time.deltaTValue();
+            step.value() - (1 - p.currentTimeFraction())*step.deltaTValue();
         i.position = p.position();
         i.n = -nw;
         i.Uw = Uw;

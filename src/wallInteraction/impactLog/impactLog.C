@@ -100,10 +100,12 @@ Foam::label Foam::impactLog::append
     const bool reboundKnown
 )
 {
-    records_.append
-    (
-        record{impact, time_.timeIndex(), false, spinKnown, reboundKnown}
-    );
+    // Colliding clouds track in parts of the step
+    const label step =
+        time_.subCycling()
+      ? time_.prevTimeState().timeIndex()
+      : time_.timeIndex();
+    records_.append(record{impact, step, false, spinKnown, reboundKnown});
     return records_.size() - 1;
 }
 
