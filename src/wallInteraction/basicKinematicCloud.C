@@ -7,8 +7,8 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "basicKinematicCloud.H"
-#include "ImpactRecords.H"
+#include "parcelWallFunctions.H"
 #include "parcelWallModels.H"
 
-makeCloudFunctionObjectType(ImpactRecords, basicKinematicCloud);
+makeParcelWallFunctions(basicKinematicCloud);
 makeParcelWallModels(basicKinematicCloud);

@@ -7,8 +7,8 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "basicKinematicCollidingCloud.H"
-#include "ImpactRecords.H"
+#include "parcelWallFunctions.H"
 #include "parcelWallModels.H"
 
-makeCloudFunctionObjectType(ImpactRecords, basicKinematicCollidingCloud);
+makeParcelWallFunctions(basicKinematicCollidingCloud);
 makeParcelWallModels(basicKinematicCollidingCloud);

@@ -7,8 +7,8 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "basicKinematicMPPICCloud.H"
-#include "ImpactRecords.H"
+#include "parcelWallFunctions.H"
 #include "parcelWallModels.H"
 
-makeCloudFunctionObjectType(ImpactRecords, basicKinematicMPPICCloud);
+makeParcelWallFunctions(basicKinematicMPPICCloud);
 makeParcelWallModels(basicKinematicMPPICCloud);

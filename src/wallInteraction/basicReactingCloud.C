@@ -7,8 +7,8 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "basicReactingCloud.H"
-#include "ImpactRecords.H"
+#include "parcelWallFunctions.H"
 #include "parcelWallModels.H"
 
-makeCloudFunctionObjectType(ImpactRecords, basicReactingCloud);
+makeParcelWallFunctions(basicReactingCloud);
 makeParcelWallModels(basicReactingCloud);

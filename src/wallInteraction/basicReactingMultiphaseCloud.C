@@ -7,8 +7,8 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "basicReactingMultiphaseCloud.H"
-#include "ImpactRecords.H"
+#include "parcelWallFunctions.H"
 #include "parcelWallModels.H"
 
-makeCloudFunctionObjectType(ImpactRecords, basicReactingMultiphaseCloud);
+makeParcelWallFunctions(basicReactingMultiphaseCloud);
 makeParcelWallModels(basicReactingMultiphaseCloud);

@@ -2,12 +2,13 @@
     parcelImpact. License: GPL-3.0-or-later, see COPYING.
 
 Description
-    Registers our cloud function objects and wall models for basicThermoCloud.
+    Registers our cloud function objects and wall models for
+    basicThermoCloud.
 \*---------------------------------------------------------------------------*/
 
 #include "basicThermoCloud.H"
-#include "ImpactRecords.H"
+#include "parcelWallFunctions.H"
 #include "parcelWallModels.H"
 
-makeCloudFunctionObjectType(ImpactRecords, basicThermoCloud);
+makeParcelWallFunctions(basicThermoCloud);
 makeParcelWallModels(basicThermoCloud);

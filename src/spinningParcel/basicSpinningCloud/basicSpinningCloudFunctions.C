@@ -6,8 +6,8 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "basicSpinningCloud.H"
-#include "ImpactRecords.H"
 #include "makeParcelCloudFunctionObjects.H"
+#include "parcelWallFunctions.H"
 
 makeParcelCloudFunctionObjects(basicSpinningCloud);
-makeCloudFunctionObjectType(ImpactRecords, basicSpinningCloud);
+makeParcelWallFunctions(basicSpinningCloud);

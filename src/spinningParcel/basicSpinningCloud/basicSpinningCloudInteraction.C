@@ -3,7 +3,7 @@
 
 Description
     Registers the stock patch interaction, dispersion, stochastic collision
-    and surface film models for basicSpinningCloud.
+    and surface film models, and our wall models, for basicSpinningCloud.
 \*---------------------------------------------------------------------------*/
 
 #include "basicSpinningCloud.H"
@@ -11,8 +11,10 @@ Description
 #include "makeParcelPatchInteractionModels.H"
 #include "makeParcelStochasticCollisionModels.H"
 #include "makeParcelSurfaceFilmModels.H"
+#include "parcelWallModels.H"
 
 makeParcelDispersionModels(basicSpinningCloud);
 makeParcelPatchInteractionModels(basicSpinningCloud);
 makeParcelStochasticCollisionModels(basicSpinningCloud);
 makeParcelSurfaceFilmModels(basicSpinningCloud);
+makeParcelWallModels(basicSpinningCloud);

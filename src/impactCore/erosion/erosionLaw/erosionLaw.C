@@ -1,0 +1,120 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "erosionLaw.H"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace impact
+{
+
+namespace
+{
+
+void check(const char* name, double value, bool zeroToo = false)
+{
+    if (!(value > 0 || (zeroToo && value == 0)) || !std::isfinite(value))
+    {
+        std::ostringstream text;
+        text<< name << ", value " << value << ", is outside the valid range "
+            << (zeroToo ? "[0" : "(0") << ", infinity)";
+        throw std::invalid_argument(text.str());
+    }
+}
+
+} // End anonymous namespace
+
+
+erosionLaw::okaConstants::okaConstants(double Hv)
+:
+    hardness(Hv),
+    K(65e-9),
+    k1(-0.12),
+    k3(0.19),
+    referenceSpeed(104),
+    referenceDiameter(326e-6)
+{
+    check("hardness", Hv);
+    n1 = 0.71*std::pow(Hv, 0.14);
+    n2 = 2.4*std::pow(Hv, -0.94);
+    k2 = 2.3*std::pow(Hv, 0.038);
+}
+
+
+erosionLaw erosionLaw::finnie(double p, double psi, double K)
+{
+    check("p", p);
+    check("psi", psi);
+    check("K", K);
+
+    erosionLaw law;
+    law.kind_ = kind::finnie;
+    law.factor_ = 1/(p*psi*K);
+    law.K_ = K;
+    return law;
+}
+
+
+erosionLaw erosionLaw::oka(const okaConstants& c)
+{
+    check("hardness", c.hardness);
+    check("K", c.K);
+    check("n1", c.n1, true);
+    check("n2", c.n2, true);
+    check("k2", c.k2, true);
+    check("k3", c.k3, true);
+    check("referenceSpeed", c.referenceSpeed);
+    check("referenceDiameter", c.referenceDiameter);
+    if (!std::isfinite(c.k1))
+    {
+        throw std::invalid_argument("k1 must be finite");
+    }
+
+    erosionLaw law;
+    law.kind_ = kind::oka;
+    law.factor_ = c.K*std::pow(c.hardness, c.k1);
+    law.K_ = c.hardness;
+    law.n1_ = c.n1;
+    law.n2_ = c.n2;
+    law.k2_ = c.k2;
+    law.k3_ = c.k3;
+    law.referenceSpeed_ = c.referenceSpeed;
+    law.referenceDiameter_ = c.referenceDiameter;
+    return law;
+}
+
+
+double erosionLaw::volume
+(
+    double mass,
+    double diameter,
+    double speed,
+    double angle
+) const
+{
+    const double s = std::sin(angle);
+
+    if (kind_ == kind::finnie)
+    {
+        // tan(angle) <= K/6 without a division by cos(angle) = 0
+        const double c = std::cos(angle);
+        return mass*speed*speed*factor_
+           *(6*s <= K_*c ? 2*s*c - 6/K_*s*s : K_/6*c*c);
+    }
+
+    if (!(s > 0) || !(speed > 0))
+    {
+        return 0;
+    }
+    return
+        mass*factor_*std::pow(s, n1_)
+       *std::pow(1 + K_*std::max(1 - s, 0.0), n2_)
+       *std::pow(speed/referenceSpeed_, k2_)
+       *std::pow(diameter/referenceDiameter_, k3_);
+}
+
+} // End namespace impact

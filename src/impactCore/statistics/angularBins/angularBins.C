@@ -1,0 +1,224 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "angularBins.H"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace impact
+{
+
+namespace
+{
+
+const double degree = std::acos(-1.0)/180;
+
+//- Part of a polygon where side . (x - origin) >= 0
+void cut
+(
+    const std::vector<vector3>& polygon,
+    const vector3& origin,
+    const vector3& side,
+    std::vector<vector3>& part
+)
+{
+    part.clear();
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+    {
+        const vector3& a = polygon[i];
+        const vector3& b = polygon[(i + 1) % polygon.size()];
+        const double da = dot(side, a - origin);
+        const double db = dot(side, b - origin);
+        if (da >= 0)
+        {
+            part.push_back(a);
+        }
+        if ((da >= 0) != (db >= 0))
+        {
+            part.push_back(a + (da/(da - db))*(b - a));
+        }
+    }
+}
+
+
+vector3 areaVector(const std::vector<vector3>& polygon)
+{
+    vector3 sum{0, 0, 0};
+    for (std::size_t i = 2; i < polygon.size(); ++i)
+    {
+        sum = sum + 0.5*cross
+        (
+            polygon[i - 1] - polygon[0],
+            polygon[i] - polygon[0]
+        );
+    }
+    return sum;
+}
+
+
+[[noreturn]] void refuse(const char* what, const vector3& v, const char* valid)
+{
+    std::ostringstream text;
+    text<< what << ", value (" << v.x << ' ' << v.y << ' ' << v.z << "), "
+        << valid;
+    throw std::invalid_argument(text.str());
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+int angularBins::fold(int k) const
+{
+    const int half = nCircle_/2;
+    return !folded_ ? k : k >= half ? k - half : half - 1 - k;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+angularBins::angularBins
+(
+    const vector3& origin,
+    const vector3& direction,
+    const vector3& from,
+    double width,
+    bool folded
+)
+:
+    origin_(origin),
+    width_(width),
+    folded_(folded)
+{
+    const double length = mag(direction);
+    if (!(length > 0))
+    {
+        refuse("axis direction", direction, "must have a length > 0");
+    }
+    axis_ = (1/length)*direction;
+
+    const vector3 across = from - dot(from, axis_)*axis_;
+    const double a = mag(across);
+    if (!(a > 1e-9*mag(from)))
+    {
+        refuse
+        (
+            "direction of phi = 0", from,
+            "must have a part across the axis"
+        );
+    }
+    e0_ = (1/a)*across;
+    e1_ = cross(axis_, e0_);
+
+    if (!(width > 0 && width <= 90))
+    {
+        std::ostringstream text;
+        text<< "bin width, value " << width
+            << ", is outside the valid range (0, 90] degrees";
+        throw std::invalid_argument(text.str());
+    }
+    const double half = std::round(180/width);
+    if (std::fabs(half*width - 180) > 1e-9*180 || half > 1e6)
+    {
+        std::ostringstream text;
+        text<< "bin width, value " << width
+            << ", must divide 180 degrees into at most 1e6 whole bins";
+        throw std::invalid_argument(text.str());
+    }
+    nCircle_ = 2*int(half);
+
+    edges_.reserve(nCircle_ + 1);
+    for (int k = 0; k <= nCircle_; ++k)
+    {
+        const double a = (k*width_ - 180)*degree;
+        edges_.push_back(std::cos(a)*e1_ - std::sin(a)*e0_);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+double angularBins::centre(int bin) const
+{
+    return (bin + 0.5)*width_ - (folded_ ? 0 : 180);
+}
+
+
+double angularBins::phi(const vector3& position) const
+{
+    const vector3 r = position - origin_;
+    const double x = dot(e0_, r);
+    const double y = dot(e1_, r);
+    return x == 0 && y == 0 ? 0 : std::atan2(y, x)/degree;
+}
+
+
+int angularBins::bin(const vector3& position) const
+{
+    const int k = int(std::floor((phi(position) + 180)/width_));
+    return fold(std::min(k, nCircle_ - 1));
+}
+
+
+vector3 angularBins::normal(const vector3& position) const
+{
+    const vector3 r = position - origin_;
+    const vector3 across = r - dot(r, axis_)*axis_;
+    const double a = mag(across);
+    return a > 0 ? (1/a)*across : across;
+}
+
+
+void angularBins::addArea
+(
+    const std::vector<vector3>& polygon,
+    std::vector<double>& areas
+) const
+{
+    const vector3 whole = areaVector(polygon);
+    const double area = mag(whole);
+    if (polygon.size() < 3 || !(area > 0))
+    {
+        return;
+    }
+    const vector3 n = (1/area)*whole;
+
+    std::vector<vector3> low;
+    std::vector<vector3> part;
+    for (int k = 0; k < nCircle_; ++k)
+    {
+        // Beyond the half-plane of the lower angle, before that of the upper:
+        // a wedge, as the width is less than 180 degrees
+        const vector3& beyond = edges_[k];
+        const vector3 before = -edges_[k + 1];
+
+        bool some = false;
+        bool all = true;
+        bool someBefore = false;
+        for (const vector3& x : polygon)
+        {
+            const bool inside = dot(beyond, x - origin_) >= 0;
+            const bool insideToo = dot(before, x - origin_) >= 0;
+            some = some || inside;
+            someBefore = someBefore || insideToo;
+            all = all && inside && insideToo;
+        }
+        if (all)
+        {
+            areas[fold(k)] += area;
+        }
+        else if (some && someBefore)
+        {
+            cut(polygon, origin_, beyond, low);
+            cut(low, origin_, before, part);
+            areas[fold(k)] += dot(n, areaVector(part));
+        }
+    }
+}
+
+} // End namespace impact

@@ -1,0 +1,82 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "DispersedPhase.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+template<class CloudType>
+Foam::DispersedPhase<CloudType>::DispersedPhase
+(
+    const dictionary& dict,
+    CloudType& owner,
+    const word& modelName
+)
+:
+    CloudFunctionObject<CloudType>(dict, owner, modelName, typeName),
+    fields_()
+{
+    if (!owner.solution().transient())
+    {
+        FatalIOErrorInFunction(owner.solution().dict())
+            << typeName << " needs a cloud tracked in time: entry"
+            << " 'transient', value no, is outside the valid range (yes)"
+            << exit(FatalIOError);
+    }
+    fields_.reset
+    (
+        new dispersedPhaseFields
+        (
+            this->coeffDict(),
+            owner.name(),
+            modelName,
+            owner.mesh(),
+            parcelSpin::carried<parcelType>()
+        )
+    );
+}
+
+
+template<class CloudType>
+Foam::DispersedPhase<CloudType>::DispersedPhase
+(
+    const DispersedPhase<CloudType>& other
+)
+:
+    CloudFunctionObject<CloudType>(other),
+    fields_()
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+template<class CloudType>
+void Foam::DispersedPhase<CloudType>::postEvolve
+(
+    FOAM_COMPAT_EVOLVE_ARGS(parcelType)
+)
+{
+    if (!fields_)
+    {
+        return;
+    }
+    if (fields_->begin())
+    {
+        for (const parcelType& p : this->owner())
+        {
+            if (p.active())
+            {
+                fields_->add
+                (
+                    p.cell(),
+                    p.nParticle(),
+                    p.volume(),
+                    p.U(),
+                    parcelSpin::get(p)
+                );
+            }
+        }
+    }
+    fields_->end();
+}

@@ -1,0 +1,58 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "impactPatches.H"
+#include "wordRes.H"
+
+Foam::boolList Foam::impactPatches::read
+(
+    const dictionary& dict,
+    const word& functionName,
+    const polyMesh& mesh
+)
+{
+    const wordRes names(dict.get<wordRes>("patches"));
+    const polyBoundaryMesh& patches = mesh.boundaryMesh();
+
+    boolList selected(patches.size(), false);
+    wordList valid;
+    for (const polyPatch& pp : patches)
+    {
+        if (!polyPatch::constraintType(pp.type()))
+        {
+            valid.append(pp.name());
+        }
+    }
+
+    for (const wordRe& name : names)
+    {
+        bool found = false;
+        for (const polyPatch& pp : patches)
+        {
+            if
+            (
+                !polyPatch::constraintType(pp.type())
+             && name.match(pp.name())
+            )
+            {
+                selected[pp.index()] = true;
+                found = true;
+            }
+        }
+        if (!found)
+        {
+            FatalIOErrorInFunction(dict)
+                << functionName << ": entry 'patches', value " << name
+                << ", is outside the valid range of patches " << valid
+                << exit(FatalIOError);
+        }
+    }
+    if (names.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << functionName << ": entry 'patches', value (), needs at least"
+            << " one of the patches " << valid << exit(FatalIOError);
+    }
+    return selected;
+}

@@ -1,0 +1,573 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "surfaceImpactStatistics.H"
+#include "PstreamReduceOps.H"
+#include "impactMeasures.H"
+
+#include <algorithm>
+
+namespace
+{
+
+impact::vector3 core(const Foam::vector& v)
+{
+    return {v.x(), v.y(), v.z()};
+}
+
+} // End anonymous namespace
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::surfaceImpactStatistics::setPatches(const boolList& selected)
+{
+    DynamicList<label> patches;
+    firstFace_.setSize(selected.size(), -1);
+    patchItem_.setSize(selected.size(), -1);
+    label nFaces = 0;
+    forAll(selected, patchi)
+    {
+        if (selected[patchi])
+        {
+            patches.append(patchi);
+            firstFace_[patchi] = nFaces;
+            nFaces += mesh_.boundaryMesh()[patchi].size();
+        }
+    }
+    patches_.transfer(patches);
+}
+
+
+void Foam::surfaceImpactStatistics::setAngle()
+{
+    const dictionary* axis = dict_.findDict("axis");
+    if (!axis)
+    {
+        return;
+    }
+    try
+    {
+        angle_.reset
+        (
+            new impact::angularBins
+            (
+                core(axis->lookupOrDefault<point>("origin", Zero)),
+                core(axis->get<vector>("direction")),
+                core(axis->get<vector>("from")),
+                axis->lookupOrDefault<scalar>("binWidth", 1),
+                axis->lookupOrDefault<bool>("folded", true)
+            )
+        );
+    }
+    catch (const std::invalid_argument& e)
+    {
+        FatalIOErrorInFunction(*axis)
+            << functionName_ << ": entries 'direction', 'from', 'binWidth': "
+            << e.what() << exit(FatalIOError);
+    }
+}
+
+
+void Foam::surfaceImpactStatistics::setErosion()
+{
+    const dictionary* erosion = dict_.findDict("erosion");
+    if (!erosion)
+    {
+        return;
+    }
+    const word model(erosion->get<word>("model"));
+    try
+    {
+        if (model == "Finnie")
+        {
+            erosion_.reset
+            (
+                new impact::erosionLaw
+                (
+                    impact::erosionLaw::finnie
+                    (
+                        erosion->get<scalar>("p"),
+                        erosion->lookupOrDefault<scalar>("psi", 2),
+                        erosion->lookupOrDefault<scalar>("K", 2)
+                    )
+                )
+            );
+        }
+        else if (model == "Oka")
+        {
+            impact::erosionLaw::okaConstants c
+            (
+                erosion->get<scalar>("hardness")
+            );
+            erosion->readIfPresent("n1", c.n1);
+            erosion->readIfPresent("n2", c.n2);
+            erosion->readIfPresent("K", c.K);
+            erosion->readIfPresent("k1", c.k1);
+            erosion->readIfPresent("k2", c.k2);
+            erosion->readIfPresent("k3", c.k3);
+            erosion->readIfPresent("referenceSpeed", c.referenceSpeed);
+            erosion->readIfPresent("referenceDiameter", c.referenceDiameter);
+            erosion_.reset
+            (
+                new impact::erosionLaw(impact::erosionLaw::oka(c))
+            );
+        }
+    }
+    catch (const std::invalid_argument& e)
+    {
+        FatalIOErrorInFunction(*erosion)
+            << functionName_ << ": entry 'erosion', model " << model << ": "
+            << e.what() << exit(FatalIOError);
+    }
+    if (!erosion_)
+    {
+        FatalIOErrorInFunction(*erosion)
+            << functionName_ << ": entry 'model', value " << model
+            << ", is outside the valid range (Finnie Oka)"
+            << exit(FatalIOError);
+    }
+}
+
+
+void Foam::surfaceImpactStatistics::setAreas()
+{
+    const label nBins = angle_ ? angle_->size() : 0;
+    areas_.setSize(nBins + patches_.size(), 0);
+
+    std::vector<double> binned(nBins, 0.0);
+    std::vector<impact::vector3> polygon;
+    forAll(patches_, i)
+    {
+        const polyPatch& pp = mesh_.boundaryMesh()[patches_[i]];
+        patchItem_[patches_[i]] = nBins + i;
+        areas_[nBins + i] = sum(mag(pp.faceAreas()));
+        if (angle_)
+        {
+            for (const face& f : pp)
+            {
+                polygon.clear();
+                for (const label pointi : f)
+                {
+                    polygon.push_back(core(mesh_.points()[pointi]));
+                }
+                angle_->addArea(polygon, binned);
+            }
+        }
+    }
+    std::copy(binned.begin(), binned.end(), areas_.begin());
+    Pstream::listCombineGather(areas_, plusEqOp<scalar>());
+    Pstream::listCombineScatter(areas_);
+
+    // A patch that ends on the edge of a bin has a sliver beyond by round-off
+    scalar largest = 0;
+    for (label k = 0; k < nBins; ++k)
+    {
+        largest = max(largest, areas_[k]);
+    }
+    DynamicList<label> there;
+    for (label k = 0; k < nBins; ++k)
+    {
+        if (areas_[k] > 1e-9*largest)
+        {
+            there.append(k);
+        }
+        else
+        {
+            areas_[k] = 0;
+        }
+    }
+    nearestBin_.setSize(nBins);
+    for (label k = 0; k < nBins; ++k)
+    {
+        nearestBin_[k] = k;
+        label least = labelMax;
+        for (const label other : there)
+        {
+            if (mag(other - k) < least)
+            {
+                least = mag(other - k);
+                nearestBin_[k] = other;
+            }
+        }
+    }
+}
+
+
+void Foam::surfaceImpactStatistics::setStop()
+{
+    const dictionary* dict = dict_.findDict("stopAtError");
+    if (!dict)
+    {
+        return;
+    }
+    stop_.reset(new stopping);
+    stop_->target = dict->get<scalar>("target");
+    if (!(stop_->target > 0))
+    {
+        FatalIOErrorInFunction(*dict)
+            << functionName_ << ": entry 'target', value " << stop_->target
+            << ", is outside the valid range (0, infinity)"
+            << exit(FatalIOError);
+    }
+
+    DynamicList<label> items;
+    const label nBins = angle_ ? angle_->size() : 0;
+    if (angle_)
+    {
+        const Tuple2<scalar, scalar> range
+        (
+            dict->get<Tuple2<scalar, scalar>>("bins")
+        );
+        for (label k = 0; k < nBins; ++k)
+        {
+            const scalar phi = angle_->centre(k);
+            if (phi >= range.first() && phi <= range.second() && areas_[k] > 0)
+            {
+                items.append(k);
+            }
+        }
+        if (items.empty())
+        {
+            FatalIOErrorInFunction(*dict)
+                << functionName_ << ": entry 'bins', value " << range
+                << ", holds no centre of a bin that has some of the patches'"
+                << " area; valid are angles (from to) in degrees, from "
+                << angle_->centre(0) << " to " << angle_->centre(nBins - 1)
+                << exit(FatalIOError);
+        }
+    }
+    else
+    {
+        if (dict->found("bins"))
+        {
+            FatalIOErrorInFunction(*dict)
+                << functionName_ << ": entry 'bins' needs the entry 'axis':"
+                << " without it the error is that of the patches"
+                << exit(FatalIOError);
+        }
+        forAll(patches_, i)
+        {
+            items.append(nBins + i);
+        }
+    }
+    stop_->items.transfer(items);
+
+    wordList valid;
+    for (label i = 0; i < nResults(); ++i)
+    {
+        valid.append(results()[i].name);
+    }
+    DynamicList<label> quantities;
+    for
+    (
+        const word& name
+      : dict->lookupOrDefault("quantities", wordList(1, "intensity"))
+    )
+    {
+        const label i = valid.find(name);
+        if (i < 0)
+        {
+            FatalIOErrorInFunction(*dict)
+                << functionName_ << ": entry 'quantities', value " << name
+                << ", is outside the valid range " << valid
+                << exit(FatalIOError);
+        }
+        quantities.append(i);
+    }
+    stop_->results.transfer(quantities);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::surfaceImpactStatistics::surfaceImpactStatistics
+(
+    const dictionary& dict,
+    const word& cloudName,
+    const word& functionName,
+    const fvMesh& mesh,
+    const boolList& patches
+)
+:
+    dict_(dict),
+    cloudName_(cloudName),
+    functionName_(functionName),
+    mesh_(mesh),
+    patches_(),
+    firstFace_(),
+    patchItem_(),
+    threshold_(dict.lookupOrDefault<scalar>("threshold", 1)),
+    angle_(),
+    erosion_(),
+    nearestBin_(),
+    areas_(),
+    nQuantities_(0),
+    bins_(),
+    faces_(),
+    restart_(cloudName, functionName, mesh),
+    window_(dict, functionName, mesh.time(), restart_.found()),
+    averaging_(false),
+    firsts_(),
+    pending_(),
+    log_(),
+    stop_(),
+    stopped_(false),
+    nSlow_(0),
+    fields_()
+{
+    if (!(threshold_ >= 0))
+    {
+        FatalIOErrorInFunction(dict)
+            << functionName << ": entry 'threshold', value " << threshold_
+            << ", is outside the valid range [0, infinity)"
+            << exit(FatalIOError);
+    }
+    const label blocks = dict.lookupOrDefault<label>("blocks", 10);
+    if (blocks < 10 || blocks > 1000)
+    {
+        FatalIOErrorInFunction(dict)
+            << functionName << ": entry 'blocks', value " << blocks
+            << ", is outside the valid range [10, 1000]"
+            << exit(FatalIOError);
+    }
+
+    setPatches(patches);
+    setAngle();
+    setErosion();
+    setAreas();
+    setStop();
+
+    nQuantities_ = erosion_ ? EROSION + 1 : EROSION;
+    label nFaces = 0;
+    for (const label patchi : patches_)
+    {
+        nFaces += mesh.boundaryMesh()[patchi].size();
+    }
+    bins_.reset
+    (
+        new impact::blockStatistics(areas_.size(), nQuantities_, blocks)
+    );
+    faces_.reset(new impact::blockStatistics(nFaces, nQuantities_, blocks));
+
+    if (restart_.found())
+    {
+        readRestart();
+        restart_.clear();
+    }
+
+    if (dict.lookupOrDefault<bool>("log", false))
+    {
+        log_.reset
+        (
+            new impactLog
+            (
+                cloudName,
+                functionName,
+                mesh.time(),
+                mesh.boundaryMesh().names()
+            )
+        );
+    }
+}
+
+
+Foam::surfaceImpactStatistics::~surfaceImpactStatistics()
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::surfaceImpactStatistics::begin()
+{
+    if (mesh_.changing())
+    {
+        FatalErrorInFunction
+            << functionName_ << ": the mesh moves or changes; the averages are"
+            << " those over faces that stay" << exit(FatalError);
+    }
+    fields_.clear();
+    averaging_ = window_.open();
+}
+
+
+void Foam::surfaceImpactStatistics::take
+(
+    const wallImpact& i,
+    const bool spinKnown,
+    const bool reboundKnown
+)
+{
+    const impact::vector3 v0 = core(i.U0 - i.Uw);
+    const impact::vector3 wall = core(i.n);
+    if (impact::dot(v0, wall) >= 0)
+    {
+        // Leaves the wall: the tracker's second meeting with the same face
+        return;
+    }
+
+    impact::vector3 n = wall;
+    pending p{-1, -1, -1, i.nParticle, -1};
+    if (angle_)
+    {
+        const impact::vector3 x = core(i.position);
+        const impact::vector3 radial = angle_->normal(x);
+        const double side = impact::dot(radial, wall);
+        n = side > 0 ? radial : side < 0 ? -radial : wall;
+        p.bin = nearestBin_[angle_->bin(x)];
+    }
+
+    const impact::impactMeasures measures(v0, n);
+    if (!(measures.speed > threshold_))
+    {
+        ++nSlow_;
+        return;
+    }
+
+    p.patch = patchItem_[i.patch];
+    p.face = firstFace_[i.patch] + i.face;
+
+    if (averaging_)
+    {
+        double a[EROSION + 1];
+        const double w = i.nParticle;
+        const double mass = w*i.mass;
+        a[NUMBER] = w;
+        a[FIRST] = 0;
+        a[NORMAL_SPEED] = w*measures.normalSpeed;
+        a[ANGLE] = w*measures.angle;
+        a[MASS] = mass;
+        a[INCIDENT] =
+            0.5*mass*measures.speed*measures.speed + w*i.rotationalEnergy0;
+        a[LOST] = 0;
+        a[LOST_TRANSLATIONAL] = 0;
+        a[CAPTURED] = 0;
+        a[IMPACTS] = 1;
+        a[REBOUND_UNKNOWN] = !reboundKnown;
+        if (reboundKnown)
+        {
+            const impact::vector3 v1 =
+                i.captured ? impact::vector3{0, 0, 0} : core(i.U1 - i.Uw);
+            a[LOST_TRANSLATIONAL] =
+                impact::impactMeasures::translationalLoss(mass, v0, v1);
+            a[LOST] = a[LOST_TRANSLATIONAL] + w
+               *(
+                    i.rotationalEnergy0
+                  - (i.captured ? 0 : i.rotationalEnergy1)
+                );
+            a[CAPTURED] = i.captured ? mass : 0;
+        }
+        if (erosion_)
+        {
+            // Next to the rim of the patch a face may be steeper than the
+            // normal of the axis has it
+            a[EROSION] = w*erosion_->volume
+            (
+                i.mass,
+                i.d,
+                measures.speed,
+                std::max(measures.angle, 0.0)
+            );
+        }
+
+        const auto add = [&](impact::blockStatistics& to, const label item)
+        {
+            double* sums = &to.open()[item*nQuantities_];
+            for (label q = 0; q < nQuantities_; ++q)
+            {
+                sums[q] += a[q];
+            }
+        };
+        add(*faces_, p.face);
+        add(*bins_, p.patch);
+        if (p.bin >= 0)
+        {
+            add(*bins_, p.bin);
+        }
+
+        if (log_)
+        {
+            p.logged = log_->append(i, spinKnown, reboundKnown);
+        }
+    }
+    else
+    {
+        p.bin = p.patch = p.face = -1;
+    }
+
+    firsts_.note(i.origProc, i.origId, i.time, pending_.size());
+    pending_.append(p);
+}
+
+
+void Foam::surfaceImpactStatistics::end()
+{
+    for (const label index : firsts_.resolve())
+    {
+        const pending& p = pending_[index];
+        if (p.face >= 0)
+        {
+            faces_->open()[p.face*nQuantities_ + FIRST] += p.nParticle;
+            bins_->open()[p.patch*nQuantities_ + FIRST] += p.nParticle;
+        }
+        if (p.bin >= 0)
+        {
+            bins_->open()[p.bin*nQuantities_ + FIRST] += p.nParticle;
+        }
+        if (p.logged >= 0)
+        {
+            log_->setFirst(p.logged);
+        }
+    }
+    pending_.clear();
+
+    const Time& time = mesh_.time();
+    const bool last = window_.lastStep();
+
+    if (averaging_)
+    {
+        const bool full = bins_->advance(time.deltaTValue());
+        faces_->advance(time.deltaTValue());
+        if (full)
+        {
+            sumOverRanks();
+            bins_->close();
+            faces_->close();
+            if
+            (
+                stop_ && !stopped_ && !last && bins_->errorsKnown()
+             && largestError() < stop_->target
+            )
+            {
+                // The solver does one more step, with a write
+                stopped_ = true;
+                time.stopAt(Time::saWriteNow);
+            }
+        }
+    }
+
+    if (time.writeTime() || last)
+    {
+        settle();
+        if (log_)
+        {
+            log_->write();
+        }
+        if (angle_)
+        {
+            writeTable("byAngle.csv", "phi_deg", identity(angle_->size()));
+        }
+        labelList items(patches_.size());
+        forAll(items, i)
+        {
+            items[i] = patchItem_[patches_[i]];
+        }
+        writeTable("byPatch.csv", "patch", items);
+        report();
+    }
+    if (time.writeTime())
+    {
+        makeFields();
+        writeRestart();
+    }
+}
