@@ -5,6 +5,7 @@
 #include "scatteringSetup.H"
 
 #include "checked.H"
+#include "coreVector.H"
 #include "scatteringEntries.H"
 
 namespace

@@ -4,6 +4,7 @@
 
 #include "scatteringEntries.H"
 #include "checked.H"
+#include "coreVector.H"
 
 namespace
 {

@@ -105,8 +105,21 @@ mixture
     return change
 
 
+def coupled(case):
+    edit(case, "constant/sandCloud", "coupled         no;",
+         "coupled yes; sourceTerms { schemes { U explicit 1; } }")
+
+
+def stock_coupled(case):
+    coupled(case)
+    edit(case, "constant/sandCloud", "spinningKinematicCloud",
+         "basicKinematicCloud")
+    edit(case, "constant/sandCloud", "magnus;", "")
+
+
 RAKE = "constant/rake50Properties"
 SAND = "constant/sand50Properties"
+STREAM = "constant/sandStream"
 
 # Name, change, texts that the message must hold
 TABLE = [
@@ -159,29 +172,37 @@ TABLE = [
      ["clouds", "rake50", "parcelClouds"]),
     ("cloudWithoutProperties", replace("constant/parcelClouds", "(rake50)",
                                        "(dust)"), ["constant/dustProperties"]),
-    ("cloudType", lambda case: edit(
-        case, RAKE, '#include "sandCloud"',
-        'type basicSpinningCloud;\n#include "sandCloud"'),
-     ["basicSpinningCloud", "basicKinematicCloud"]),
-    ("stockCoupled", replace("constant/sandCloud", "coupled         no;",
-                             "coupled yes; sourceTerms { schemes { U explicit 1; } }"),
-     ["coupled", "true", "false"]),
+    ("cloudType", replace("constant/sandCloud", "spinningKinematicCloud",
+                          "rollingKinematicCloud"),
+     ["rollingKinematicCloud", "basicKinematicCloud",
+      "spinningKinematicCloud"]),
+    ("stockCoupled", stock_coupled, ["coupled", "true", "false"]),
+    ("coupledSteadyGas", coupled, ["mode", "steady", "transient"]),
+    ("motion", replace("constant/sandCloud", "embeddedRK54", "leapfrog"),
+     ["motion", "leapfrog", "stock", "embeddedRK54"]),
+    ("tolerance", replace("constant/sandCloud", "1e-5", "-1"),
+     ["'tolerance', value -1", "[1e-14, 0.1]"]),
+    ("restitution", replace("constant/sandCloud", "restitution         0.7",
+                            "restitution 1.7"),
+     ["restitution", "1.7", "[0, 1]"]),
+    ("friction", replace("constant/sandCloud", "friction            0.2",
+                         "friction -0.2"), ["friction", "-0.2", "[0, "]),
     ("particleForce", replace("constant/sandCloud", "hendersonDrag;",
                               "hendersenDrag;"),
      ["hendersenDrag", "hendersonDrag", "sphereDrag"]),
     ("TwOverT", replace("constant/sandCloud", "hendersonDrag;",
                         "hendersonDrag { TwOverT -1; }"),
      ["'TwOverT', value -1", "(0, infinity)"]),
-    ("volumeFraction", replace(SAND, "1e-5", "0.2"),
+    ("volumeFraction", replace(STREAM, "1e-5", "0.2"),
      ["'volumeFraction', value 0.2", "(0, "]),
     ("diameter_stream", replace(SAND, "50e-6", "0"),
      ["'diameter', value 0,", "(0, infinity)"]),
     ("diameter_rake", replace(RAKE, "50e-6", "0"),
      ["'diameter', value 0,", "(0, infinity)"]),
-    ("injectionPatch", replace(SAND, "(freestream)", "(nowhere)"),
+    ("injectionPatch", replace(STREAM, "(freestream)", "(nowhere)"),
      ["patches", "nowhere", "freestream", "cylinder"]),
-    ("impactPatch", replace("constant/sandCloud",
-                            "patches     (cylinder)", "patches (nowhere)"),
+    ("impactPatch", replace(RAKE, "patches     (cylinder)",
+                            "patches (nowhere)"),
      ["patches", "nowhere", "freestream", "cylinder"]),
 ]
 
@@ -192,7 +213,8 @@ def trial(name, change):
     clouds = "sand50" if change and name in (
         "volumeFraction", "diameter_stream", "injectionPatch") else "rake50"
     write_foam(case, "constant/parcelClouds", f"clouds ({clouds});")
-    edit(case, "system/controlDict", "endTime         2e-4", "endTime 2e-7")
+    edit(case, "system/controlDict", "endTime         6.4e-4",
+         "endTime 1e-6")
     if change:
         change(case)
     status, text = run(case, "rhoCentralParcelFoam")

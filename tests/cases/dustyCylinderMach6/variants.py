@@ -43,8 +43,8 @@ def error(phi, p):
 # The gas on two ranks, from the free stream, with one small rake so that the
 # run goes on to a write time; on one rank that is the chain's gas
 write_foam("gas2", "constant/parcelClouds", "clouds (rake50);")
-edit("gas2", "system/controlDict", "2e-4;", "4e-7;")
-edit("gas2", "system/controlDict", "1e-5;", "2e-7;")
+edit("gas2", "system/controlDict", "6.4e-4;", "2e-6;")
+edit("gas2", "system/controlDict", "2e-4;", "1e-6;")
 decompose("gas2")
 log = solve("gas2", 2)
 verdict("gasSteadyTwoRanks", "Gas: steady after" in log, "two ranks")
@@ -89,6 +89,7 @@ def frozen(case):
                     ignore=shutil.ignore_patterns("polyMesh"))
     shutil.copytree("gas1/constant/polyMesh", case + "/constant/polyMesh")
     shutil.copytree("gas1/system", case + "/system")
+    edit(case, "system/controlDict", "6.4e-4;", "1e-4;")
     edit(case, "system/controlDict", "2e-4;", "1e-4;")
     time = times_of("gas1")[-1]
     os.mkdir(case + "/0")
