@@ -137,8 +137,7 @@ impact::motionOutcome impact::jkrMotion::follow
     const observer& see
 ) const
 {
-    // u never exceeds 1.3 with beta <= 2/3 and p0 <= 1, the units in use
-    const motionRate rate = {curve.beta(), alpha_, 4*(1 + p0)};
+    motionRate rate = {curve.beta(), alpha_, 4};
     const double uA = curve.uA();
     const double uEnd = curve.uEnd(unloading_);
     const double barrier = curve.energy(uEnd);
@@ -157,6 +156,16 @@ impact::motionOutcome impact::jkrMotion::follow
     bool turned = false;        // the first maximum is behind
     for (;;)
     {
+        // Twice what the energy allows: u^10 < (5/4) p^2 without adhesion
+        rate.largest = 2
+           *(
+                curve.uB()
+              + std::max
+                (
+                    std::fabs(step.begin()[0]),
+                    1.1*std::pow(std::fabs(step.begin()[1]), 0.2)
+                )
+            );
         step.attempt(rate, h);
         const integrator::state y = step.end();
         const double speed =

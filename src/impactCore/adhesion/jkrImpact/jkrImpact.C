@@ -1,0 +1,168 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "jkrImpact.H"
+#include "overlapMarch.H"
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+void impact::jkrImpact::checkSpeed(double speed)
+{
+    if (!(speed > 0 && std::isfinite(speed)))
+    {
+        std::ostringstream text;
+        text<< "speed " << speed << ": valid range (0, inf)";
+        throw std::invalid_argument(text.str());
+    }
+}
+
+
+impact::jkrImpact::jkrImpact
+(
+    const jkrContact& contact,
+    double alpha,
+    const impactSettings& settings
+)
+:
+    contact_(contact),
+    settings_(settings),
+    motion_(alpha, settings.unloading, settings.tolerance),
+    separationSpeed_(contact.separationSpeed()),
+    captureSpeed_
+    (
+        jkrMotion(alpha, settings.unloading, 1e-13).captureRatio()
+    )
+{
+    if (settings.scheme == impactScheme::table)
+    {
+        curve_.emplace(alpha, settings.unloading);
+    }
+
+    // Without adhesion only the strongest damping captures
+    if (std::isfinite(captureSpeed_))
+    {
+        captureSpeed_ *= separationSpeed_;
+    }
+}
+
+
+impact::normalRebound impact::jkrImpact::rebound(double speed) const
+{
+    if (curve_)
+    {
+        checkSpeed(speed);
+        if (separationSpeed_ > 0)
+        {
+            return curve_->rebound(speed/separationSpeed_);
+        }
+        const double e = jkrMotion::hertzRestitution(alpha());
+        return {e == 0, e};
+    }
+    const impactOutcome out = impact(speed);
+    return {out.captured, out.restitution};
+}
+
+
+impact::impactOutcome impact::jkrImpact::impact(double speed) const
+{
+    checkSpeed(speed);
+    const jkrContact::units unit = contact_.scales(speed);
+    const double p = speed/unit.speed;
+
+    motionOutcome motion;
+    if (settings_.scheme == impactScheme::rk4)
+    {
+        const double step = settings_.timeStep/unit.time;
+        const double least = overlapMarch::leastStep;
+        const double greatest = overlapMarch::greatestStep;
+        if (!(step >= least && step <= greatest))
+        {
+            std::ostringstream text;
+            text<< "timeStep " << settings_.timeStep
+                << ": valid range at the speed " << speed << " m/s ["
+                << least*unit.time << ", " << greatest*unit.time << "] s";
+            throw std::invalid_argument(text.str());
+        }
+        motion = overlapMarch
+        (
+            alpha(), settings_.unloading, step, settings_.interpolate
+        ).impact(unit.curve, p);
+    }
+    else
+    {
+        motion = motion_.impact(unit.curve, p);
+    }
+
+    impactOutcome out;
+    out.captured = motion.captured;
+    out.restitution = motion.exitSpeed/p;
+    out.contactTime = motion.time*unit.time;
+    out.maxOverlap = unit.curve.overlap(motion.maxU)*unit.length;
+    out.dissipated = motion.dissipated*unit.energy;
+    out.evaluations = motion.evaluations;
+    if (curve_)
+    {
+        const normalRebound fast = rebound(speed);
+        out.captured = fast.captured;
+        out.restitution = fast.restitution;
+        out.contactTime = fast.captured ? 0 : out.contactTime;
+        out.evaluations = 0;
+    }
+    return out;
+}
+
+
+std::vector<impact::impactMoment> impact::jkrImpact::trajectory
+(
+    double speed,
+    int nLoops
+) const
+{
+    checkSpeed(speed);
+    const jkrContact::units unit = contact_.scales(speed);
+    const jkrCurve& curve = unit.curve;
+    const double p0 = speed/unit.speed;
+    const double bottom = curve.energy(curve.uB());
+    const double depth =
+        curve.energy(curve.uEnd(settings_.unloading)) - bottom;
+
+    std::vector<impactMoment> moments;
+    auto add = [&](double u, double p, double time)
+    {
+        const double force = curve.force(u) + alpha()*u*p;
+        moments.push_back
+        ({
+            time*unit.time,
+            curve.overlap(u)*unit.length,
+            p*unit.speed,
+            force*unit.force,
+            u*u*unit.radius
+        });
+    };
+    add(curve.uA(), p0, 0);
+    int maxima = 0;
+    motion_.follow
+    (
+        curve,
+        p0,
+        [&](const jkrMotion::integrator& step)
+        {
+            const int n = 8;
+            for (int i = 1; i <= n; ++i)
+            {
+                const double s = double(i)/n;
+                add(step.at(0, s), step.at(1, s), step.at(2, s));
+            }
+            const auto& a = step.begin();
+            const auto& b = step.end();
+            maxima += a[1] > 0 && b[1] <= 0;
+            const double energy = 0.5*b[1]*b[1] + curve.energy(b[0]);
+            return maxima <= nLoops
+             && energy - bottom > 1e-10*depth + 1e-20*p0*p0;
+        }
+    );
+    return moments;
+}
