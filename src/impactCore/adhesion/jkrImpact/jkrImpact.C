@@ -49,6 +49,22 @@ impact::jkrImpact::jkrImpact
 }
 
 
+void impact::jkrImpact::checkTimeStep(double speed) const
+{
+    const double time = contact_.scales(speed).time;
+    const double least = overlapMarch::leastStep*time;
+    const double greatest = overlapMarch::greatestStep*time;
+    if (!(settings_.timeStep >= least && settings_.timeStep <= greatest))
+    {
+        std::ostringstream text;
+        text<< "timeStep " << settings_.timeStep
+            << ": valid range at the speed " << speed << " m/s [" << least
+            << ", " << greatest << "] s";
+        throw std::invalid_argument(text.str());
+    }
+}
+
+
 impact::normalRebound impact::jkrImpact::rebound(double speed) const
 {
     if (curve_)
@@ -75,20 +91,13 @@ impact::impactOutcome impact::jkrImpact::impact(double speed) const
     motionOutcome motion;
     if (settings_.scheme == impactScheme::rk4)
     {
-        const double step = settings_.timeStep/unit.time;
-        const double least = overlapMarch::leastStep;
-        const double greatest = overlapMarch::greatestStep;
-        if (!(step >= least && step <= greatest))
-        {
-            std::ostringstream text;
-            text<< "timeStep " << settings_.timeStep
-                << ": valid range at the speed " << speed << " m/s ["
-                << least*unit.time << ", " << greatest*unit.time << "] s";
-            throw std::invalid_argument(text.str());
-        }
+        checkTimeStep(speed);
         motion = overlapMarch
         (
-            alpha(), settings_.unloading, step, settings_.interpolate
+            alpha(),
+            settings_.unloading,
+            settings_.timeStep/unit.time,
+            settings_.interpolate
         ).impact(unit.curve, p);
     }
     else

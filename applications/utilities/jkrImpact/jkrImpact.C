@@ -1,0 +1,105 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+
+Application
+    jkrImpact
+
+Group
+    grpPreProcessingUtilities
+
+Description
+    Normal impacts of a particle with JKR adhesion and viscous dissipation on
+    a wall, another particle or a particle that adheres to a wall:
+    restitution, capture, course of the contact.
+
+Usage
+    \b jkrImpact [OPTION]
+
+      - \par -case DIR
+        The case; needs DIR/system/jkrImpactDict only.
+
+      - \par -noPlot
+        Do not call the plot script.
+
+    Results in postProcessing/jkrImpact, which is emptied first:
+    restitution.csv, trajectory_<i>.csv of the i-th speed, summary.csv,
+    curve.csv and points.csv (static curve), with an alpha that depends on
+    the restitution alpha.csv, inverse.csv and measured.csv, with the block
+    chain chain.csv and chainTrajectory_<i>.csv; and, where python3 with
+    matplotlib is found, pictures of them.
+
+    Entries: see etc/caseDicts/annotated/jkrImpactDict.
+\*---------------------------------------------------------------------------*/
+
+#include "argList.H"
+#include "IFstream.H"
+#include "OSspecific.H"
+#include "jkrImpactOutput.H"
+
+namespace
+{
+
+using namespace Foam;
+
+void plot(const fileName& folder)
+{
+    const fileName script
+    (
+        getEnv("PARCEL_IMPACT_DIR")
+       /"applications/utilities/jkrImpact/plotJkrImpact"
+    );
+    if (!isFile(script))
+    {
+        Info<< "No plots: PARCEL_IMPACT_DIR is not set" << endl;
+        return;
+    }
+    const int status = Foam::system
+    (
+        "'" + script + "' '" + folder + "' > '" + folder
+      + "/log.plot' 2>&1"
+    );
+    if (status)
+    {
+        Info<< "No plots: see " << folder/"log.plot" << endl;
+    }
+    else
+    {
+        rm(folder/"log.plot");
+    }
+}
+
+} // End anonymous namespace
+
+
+int main(int argc, char* argv[])
+{
+    argList::addNote
+    (
+        "Normal impacts with JKR adhesion and viscous dissipation:"
+        " restitution, capture, course of the contact"
+    );
+    argList::noParallel();
+    argList::noFunctionObjects();
+    argList::addBoolOption("noPlot", "Do not call the plot script");
+    argList args(argc, argv);
+
+    const fileName casePath(args.globalPath());
+    const fileName dictFile(casePath/"system/jkrImpactDict");
+    IFstream is(dictFile);
+    if (!is.good())
+    {
+        FatalErrorInFunction
+            << "Cannot read " << dictFile << exit(FatalError);
+    }
+    const dictionary dict(is);
+    const jkrImpactSetup setup(dict, casePath);
+
+    const fileName folder(casePath/"postProcessing/jkrImpact");
+    writeJkrImpact(folder, setup);
+    if (!args.found("noPlot"))
+    {
+        plot(folder);
+    }
+    Info<< "End" << endl;
+    return 0;
+}
