@@ -375,6 +375,7 @@ Foam::jkrImpactSetup::jkrImpactSetup
         readContact(dict.isDict("contact") ? dict.subDict("contact") : dict)
     ),
     settings(readSettings(dict)),
+    measured(),
     law(readLaw(dict, casePath, contact, settings.unloading, measured)),
     speeds(readSpeeds(dict))
 {

@@ -159,7 +159,7 @@ std::vector<impact::impactMoment> impact::jkrImpact::trajectory
         p0,
         [&](const jkrMotion::integrator& step)
         {
-            const int n = 8;
+            const int n = 16;
             for (int i = 1; i <= n; ++i)
             {
                 const double s = double(i)/n;
