@@ -189,10 +189,10 @@ void measureTables()
 int main()
 {
     std::puts("case,scheme,setting,force_evaluations,cpu_ns,error");
-    measure("undamped, 3 V_cap", 0, 3);
-    measure("undamped, 1.001 V_cap", 0, 1.001);
-    measure("damped, 3 V_cap", 1.1891, 3);
-    measure("damped, 1.001 V_cap", 1.1891, 1.001);
+    measure("undamped 3 V_cap", 0, 3);
+    measure("undamped 1.001 V_cap", 0, 1.001);
+    measure("damped 3 V_cap", 1.1891, 3);
+    measure("damped 1.001 V_cap", 1.1891, 1.001);
     measureTables();
     return 0;
 }

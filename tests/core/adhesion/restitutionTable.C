@@ -118,6 +118,8 @@ TEST(restitutionTable, hasItsLimits)
         {
             const double e = curve.rebound(f*g).restitution;
             EXPECT_GT(e, last - 2e-7);
+            EXPECT_LE(e, 1);
+            EXPECT_LE(table.rebound(alpha, f*g).restitution, 1);
             last = e;
         }
     }

@@ -9,14 +9,11 @@
 #include <sstream>
 #include <stdexcept>
 
-void impact::jkrImpact::checkSpeed(double speed)
+void impact::jkrImpact::refuse(double speed)
 {
-    if (!(speed > 0 && std::isfinite(speed)))
-    {
-        std::ostringstream text;
-        text<< "speed " << speed << ": valid range (0, inf)";
-        throw std::invalid_argument(text.str());
-    }
+    std::ostringstream text;
+    text<< "speed " << speed << ": valid range (0, inf)";
+    throw std::invalid_argument(text.str());
 }
 
 
@@ -30,7 +27,7 @@ impact::jkrImpact::jkrImpact
     contact_(contact),
     settings_(settings),
     motion_(alpha, settings.unloading, settings.tolerance),
-    separationSpeed_(contact.separationSpeed()),
+    inverseSeparationSpeed_(0),
     captureSpeed_
     (
         jkrMotion(alpha, settings.unloading, 1e-13).captureRatio()
@@ -42,9 +39,14 @@ impact::jkrImpact::jkrImpact
     }
 
     // Without adhesion only the strongest damping captures
+    const double separationSpeed = contact.separationSpeed();
+    if (separationSpeed > 0)
+    {
+        inverseSeparationSpeed_ = 1/separationSpeed;
+    }
     if (std::isfinite(captureSpeed_))
     {
-        captureSpeed_ *= separationSpeed_;
+        captureSpeed_ *= separationSpeed;
     }
 }
 
@@ -65,15 +67,10 @@ void impact::jkrImpact::checkTimeStep(double speed) const
 }
 
 
-impact::normalRebound impact::jkrImpact::rebound(double speed) const
+impact::normalRebound impact::jkrImpact::integrated(double speed) const
 {
     if (curve_)
     {
-        checkSpeed(speed);
-        if (separationSpeed_ > 0)
-        {
-            return curve_->rebound(speed/separationSpeed_);
-        }
         const double e = jkrMotion::hertzRestitution(alpha());
         return {e == 0, e};
     }
