@@ -33,43 +33,10 @@ Usage
 
 #include "argList.H"
 #include "IFstream.H"
-#include "OSspecific.H"
 #include "jkrImpactOutput.H"
-
-namespace
-{
+#include "utilityTools.H"
 
 using namespace Foam;
-
-void plot(const fileName& folder)
-{
-    const fileName script
-    (
-        getEnv("PARCEL_IMPACT_DIR")
-       /"applications/utilities/jkrImpact/plotJkrImpact"
-    );
-    if (!isFile(script))
-    {
-        Info<< "No plots: PARCEL_IMPACT_DIR is not set" << endl;
-        return;
-    }
-    const int status = Foam::system
-    (
-        "'" + script + "' '" + folder + "' > '" + folder
-      + "/log.plot' 2>&1"
-    );
-    if (status)
-    {
-        Info<< "No plots: see " << folder/"log.plot" << endl;
-    }
-    else
-    {
-        rm(folder/"log.plot");
-    }
-}
-
-} // End anonymous namespace
-
 
 int main(int argc, char* argv[])
 {
@@ -98,7 +65,7 @@ int main(int argc, char* argv[])
     writeJkrImpact(folder, setup);
     if (!args.found("noPlot"))
     {
-        plot(folder);
+        plotResults("jkrImpact", folder);
     }
     Info<< "End" << endl;
     return 0;

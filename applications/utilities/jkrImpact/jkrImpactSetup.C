@@ -3,40 +3,19 @@
 \*---------------------------------------------------------------------------*/
 
 #include "jkrImpactSetup.H"
+#include "utilityTools.H"
 
 #include "FlatOutput.H"
 #include "ListOps.H"
 #include "Switch.H"
 
 #include <fstream>
-#include <functional>
 #include <sstream>
-#include <stdexcept>
 
 namespace
 {
 
 using namespace Foam;
-
-//- The core's complaints about values become errors of the dictionary
-template<class Result>
-Result checked
-(
-    const dictionary& dict,
-    const std::function<Result()>& construct
-)
-{
-    try
-    {
-        return construct();
-    }
-    catch (const std::invalid_argument& error)
-    {
-        FatalIOErrorInFunction(dict) << error.what() << exit(FatalIOError);
-    }
-    return construct();
-}
-
 
 //- The one of the valid words that an entry has
 word getWord
@@ -419,6 +398,12 @@ Foam::jkrImpactSetup::jkrImpactSetup
     if (dict.found("chain"))
     {
         const dictionary& block = dict.subDict("chain");
+        if (settings.unloading != impact::unloadingType::soft)
+        {
+            FatalIOErrorInFunction(dict)
+                << "unloading hard: valid with a chain: soft"
+                << exit(FatalIOError);
+        }
         const dictionary& first = block.subDict("particle");
         const dictionary& second = block.subDict("wall");
         const bool oneWay =

@@ -3,39 +3,16 @@
 \*---------------------------------------------------------------------------*/
 
 #include "scatteringSetup.H"
+#include "utilityTools.H"
 
-#include "OSspecific.H"
 #include "vector.H"
 #include "ListOps.H"
 #include "FlatOutput.H"
-
-#include <functional>
-#include <stdexcept>
 
 namespace
 {
 
 using namespace Foam;
-
-//- The core's complaints about values become errors of the dictionary
-template<class Result>
-Result checked
-(
-    const dictionary& dict,
-    const std::function<Result()>& construct
-)
-{
-    try
-    {
-        return construct();
-    }
-    catch (const std::invalid_argument& error)
-    {
-        FatalIOErrorInFunction(dict) << error.what() << exit(FatalIOError);
-    }
-    return construct();
-}
-
 
 [[noreturn]] void unknownWord
 (

@@ -5,11 +5,11 @@
 #include "contactChain.H"
 #include "dormandPrince8.H"
 #include "jkrMotion.H"
+#include "outOfRange.H"
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
-#include <stdexcept>
 
 namespace
 {
@@ -95,27 +95,21 @@ impact::contactChain::contactChain
     coupling_(coupling),
     tolerance_(tolerance)
 {
-    auto refuse = [](const char* entry, double value, const std::string& range)
-    {
-        std::ostringstream text;
-        text<< entry << ' ' << value << ": valid range " << range;
-        throw std::invalid_argument(text.str());
-    };
-    if (!(tolerance >= 1e-14 && tolerance <= 1e-3))
-    {
-        refuse("tolerance", tolerance, "[1e-14, 1e-3]");
-    }
+    checkRange("tolerance", tolerance, 1e-14, 1e-3);
     if (!(first.mass() < second.mass()))
     {
         std::ostringstream range;
         range<< "(0, " << second.mass() << "), below the mass of P2";
-        refuse("mass of the contact of P1 and P2", first.mass(), range.str());
+        throwOutOfRange
+        (
+            "mass of the contact of P1 and P2", first.mass(), range.str()
+        );
     }
     for (const jkrContact* contact : {&first, &second})
     {
         if (!(contact->workOfAdhesion() > 0))
         {
-            refuse
+            throwOutOfRange
             (
                 "workOfAdhesion of a chain",
                 contact->workOfAdhesion(),
@@ -135,9 +129,7 @@ impact::chainOutcome impact::contactChain::run
 {
     if (!(speed > 0 && std::isfinite(speed)))
     {
-        std::ostringstream text;
-        text<< "speed " << speed << ": valid range (0, inf)";
-        throw std::invalid_argument(text.str());
+        throwOutOfRange("speed", speed, "(0, inf) m/s");
     }
     const jkrContact::units unit1 = first_.scales(speed);
     const jkrContact::units unit2 = second_.scales(speed);
@@ -381,10 +373,12 @@ double impact::contactChain::threshold
     const bool atLow = happens(what, low);
     if (atLow == happens(what, high))
     {
-        std::ostringstream text;
-        text<< "speeds (" << low << ' ' << high << "): valid range two with"
-            << " different outcomes";
-        throw std::invalid_argument(text.str());
+        throwOutOfRange
+        (
+            "speeds",
+            rangeText("()", low, high),
+            "two with different outcomes"
+        );
     }
     while (high - low > 1e-9*high)
     {

@@ -4,40 +4,18 @@
 
 #include "dissipationLaw.H"
 #include "jkrMotion.H"
+#include "outOfRange.H"
 
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <limits>
 #include <sstream>
-#include <stdexcept>
 
 namespace
 {
 
 const double infinity = std::numeric_limits<double>::infinity();
-
-template<class Value>
-[[noreturn]] void refuse
-(
-    const char* entry,
-    const Value& value,
-    const std::string& range
-)
-{
-    std::ostringstream text;
-    text<< entry << ' ' << value << ": valid range " << range;
-    throw std::invalid_argument(text.str());
-}
-
-
-std::string rangeText(const char* open, double low, double high)
-{
-    std::ostringstream text;
-    text<< open[0] << low << ", " << high << open[1];
-    return text.str();
-}
-
 
 //- Root of a function that changes its sign from positive to negative
 template<class Function>
@@ -72,11 +50,11 @@ impact::dissipationLaw::dissipationLaw
 {
     if (coeffs.empty())
     {
-        refuse("number of coeffs", 0, ">= 1");
+        throwOutOfRange("number of coeffs", 0, ">= 1");
     }
     if (!(low >= 0 && low < high && high <= 1))
     {
-        refuse
+        throwOutOfRange
         (
             "range of e", rangeText("()", low, high), "0 <= low < high <= 1"
         );
@@ -89,7 +67,7 @@ impact::dissipationLaw::dissipationLaw
         {
             std::ostringstream entry;
             entry<< "alpha(e) at e = " << e << ": alpha";
-            refuse(entry.str().c_str(), a, "[0, 10]");
+            throwOutOfRange(entry.str(), a, "[0, 10]");
         }
     }
 }
@@ -172,7 +150,7 @@ double impact::dissipationLaw::calibrated
     {
         std::ostringstream entry;
         entry<< "restitution at " << q << " times v_st:";
-        refuse(entry.str().c_str(), e, rangeText("()", 0, limit));
+        throwOutOfRange(entry.str(), e, rangeText("()", 0, limit));
     }
     return root
     (
@@ -194,11 +172,11 @@ impact::dissipationLaw impact::dissipationLaw::fit
     const int n = int(data.size());
     if (n < 2)
     {
-        refuse("number of data", n, ">= 2");
+        throwOutOfRange("number of data", n, ">= 2");
     }
     if (degree < 0 || degree > n - 1)
     {
-        refuse("degree", degree, rangeText("[]", 0, n - 1));
+        throwOutOfRange("degree", degree, rangeText("[]", 0, n - 1));
     }
     Eigen::MatrixXd powers(n, degree + 1);
     Eigen::VectorXd alpha(n);
@@ -227,10 +205,7 @@ impact::dissipationLaw impact::dissipationLaw::fit
 
 double impact::dissipationLaw::alpha(double e) const
 {
-    if (!(e >= low_ && e <= high_))
-    {
-        refuse("restitution of alpha(e)", e, rangeText("[]", low_, high_));
-    }
+    checkRange("restitution of alpha(e)", e, low_, high_);
     return value(e);
 }
 
@@ -282,7 +257,7 @@ impact::normalRebound impact::dissipationLaw::rebound(double q) const
     {
         std::ostringstream range;
         range<< "of speeds with a restitution up to " << high_;
-        refuse("speed over v_st", q, range.str());
+        throwOutOfRange("speed over v_st", q, range.str());
     }
     for (int i = nScan - 1; i >= 0; --i)
     {
@@ -298,7 +273,7 @@ impact::normalRebound impact::dissipationLaw::rebound(double q) const
     {
         std::ostringstream range;
         range<< "of speeds with a restitution from " << low_ << " on";
-        refuse("speed over v_st", q, range.str());
+        throwOutOfRange("speed over v_st", q, range.str());
     }
     return {true, 0};
 }

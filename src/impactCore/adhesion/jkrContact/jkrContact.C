@@ -3,11 +3,10 @@
 \*---------------------------------------------------------------------------*/
 
 #include "jkrContact.H"
+#include "outOfRange.H"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
-#include <stdexcept>
 
 namespace
 {
@@ -18,9 +17,7 @@ void check(bool valid, const char* entry, double value, const char* range)
 {
     if (!valid)
     {
-        std::ostringstream text;
-        text<< entry << ' ' << value << ": valid range " << range;
-        throw std::invalid_argument(text.str());
+        throwOutOfRange(entry, value, range);
     }
 }
 

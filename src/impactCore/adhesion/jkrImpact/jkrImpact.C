@@ -3,17 +3,15 @@
 \*---------------------------------------------------------------------------*/
 
 #include "jkrImpact.H"
+#include "outOfRange.H"
 #include "overlapMarch.H"
 
 #include <cmath>
 #include <sstream>
-#include <stdexcept>
 
 void impact::jkrImpact::refuse(double speed)
 {
-    std::ostringstream text;
-    text<< "speed " << speed << ": valid range (0, inf)";
-    throw std::invalid_argument(text.str());
+    throwOutOfRange("speed", speed, "(0, inf) m/s");
 }
 
 
@@ -58,11 +56,10 @@ void impact::jkrImpact::checkTimeStep(double speed) const
     const double greatest = overlapMarch::greatestStep*time;
     if (!(settings_.timeStep >= least && settings_.timeStep <= greatest))
     {
-        std::ostringstream text;
-        text<< "timeStep " << settings_.timeStep
-            << ": valid range at the speed " << speed << " m/s [" << least
-            << ", " << greatest << "] s";
-        throw std::invalid_argument(text.str());
+        std::ostringstream range;
+        range<< rangeText("[]", least, greatest) << " s at the speed "
+            << speed << " m/s";
+        throwOutOfRange("timeStep", settings_.timeStep, range.str());
     }
 }
 

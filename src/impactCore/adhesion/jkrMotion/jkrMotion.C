@@ -3,35 +3,16 @@
 \*---------------------------------------------------------------------------*/
 
 #include "jkrMotion.H"
+#include "outOfRange.H"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
-#include <stdexcept>
 
 namespace
 {
 
 using namespace impact;
-
-void checkRange
-(
-    const char* name,
-    double value,
-    double low,
-    double high,
-    const char* range
-)
-{
-    if (!(value >= low && value <= high))
-    {
-        std::ostringstream text;
-        text<< name << ' ' << value << ": valid range " << range;
-        throw std::invalid_argument(text.str());
-    }
-}
-
 
 //- Right-hand side of the motion in u, p, time and dissipated energy
 struct motionRate
@@ -125,8 +106,8 @@ impact::jkrMotion::jkrMotion
     unloading_(unloading),
     tolerance_(tolerance)
 {
-    checkRange("alpha", alpha, 0, 10, "[0, 10]");
-    checkRange("tolerance", tolerance, 1e-14, 1e-3, "[1e-14, 1e-3]");
+    checkRange("alpha", alpha, 0, 10);
+    checkRange("tolerance", tolerance, 1e-14, 1e-3);
 }
 
 

@@ -3,10 +3,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "overlapMarch.H"
+#include "outOfRange.H"
 
 #include <algorithm>
-#include <sstream>
-#include <stdexcept>
 
 impact::overlapMarch::overlapMarch
 (
@@ -21,13 +20,7 @@ impact::overlapMarch::overlapMarch
     step_(step),
     interpolate_(interpolate)
 {
-    if (!(step >= leastStep && step <= greatestStep))
-    {
-        std::ostringstream text;
-        text<< "step " << step << ": valid range [" << leastStep << ", "
-            << greatestStep << "]";
-        throw std::invalid_argument(text.str());
-    }
+    checkRange("step", step, leastStep, greatestStep);
 }
 
 

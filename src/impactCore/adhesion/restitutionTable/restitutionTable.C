@@ -4,11 +4,9 @@
 
 #include "restitutionTable.H"
 #include "jkrMotion.H"
+#include "outOfRange.H"
 
 #include <Eigen/Dense>
-
-#include <sstream>
-#include <stdexcept>
 
 template<int n>
 impact::restitutionTable::interpolation<n>::interpolation()
@@ -147,8 +145,5 @@ double impact::restitutionTable::sample
 
 void impact::restitutionTable::refuse(double alpha)
 {
-    std::ostringstream text;
-    text<< "alpha " << alpha << ": valid range of the table [0, " << maxAlpha
-        << "]";
-    throw std::invalid_argument(text.str());
+    throwOutOfRange("alpha of the table", alpha, rangeText("[]", 0, maxAlpha));
 }
