@@ -265,7 +265,7 @@ TEST(jkrMotion, accountsForTheEnergy)
 {
     for (double alpha : {0., 0.225, 1.19, 1.6})
     {
-        const jkrMotion motion(alpha, unloadingType::soft, 1e-12);
+        const jkrMotion motion(alpha, unloadingType::soft, 1e-10);
         for (double q : {0.5, 2., 40., 1e3, 1e6})
         {
             double p = q*jkrMotion::separationSpeed();
