@@ -47,6 +47,7 @@ Usage
 #include "Pstream.H"
 #include "PstreamReduceOps.H"
 #include "scatteringOutput.H"
+#include "utilityTools.H"
 
 #include <chrono>
 #include <csignal>
@@ -218,35 +219,6 @@ void run
     }
 }
 
-
-void plot(const fileName& folder)
-{
-    const fileName script
-    (
-        getEnv("PARCEL_IMPACT_DIR")
-       /"applications/utilities/scatteringIndicatrix"
-        "/plotScatteringIndicatrix"
-    );
-    if (!isFile(script))
-    {
-        Info<< "No plots: PARCEL_IMPACT_DIR is not set" << endl;
-        return;
-    }
-    const int status = Foam::system
-    (
-        "'" + script + "' '" + folder + "' > '" + folder
-      + "/log.plot' 2>&1"
-    );
-    if (status)
-    {
-        Info<< "No plots: see " << folder/"log.plot" << endl;
-    }
-    else
-    {
-        rm(folder/"log.plot");
-    }
-}
-
 } // End anonymous namespace
 
 
@@ -313,7 +285,7 @@ int main(int argc, char* argv[])
         run(setup, incidence, target, stopFile, threads);
         if (Pstream::master() && !args.found("noPlot"))
         {
-            plot(target);
+            plotResults("scatteringIndicatrix", target);
         }
         if (stopped)
         {

@@ -1,0 +1,417 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "jkrImpactOutput.H"
+
+#include "OFstream.H"
+#include "OSspecific.H"
+
+#include <stdexcept>
+#include <string>
+
+namespace
+{
+
+using namespace Foam;
+
+//- A file of comma-separated values
+class csvFile
+{
+    OFstream os_;
+
+    void put(const char* text)
+    {
+        os_.writeQuoted(text, false);
+    }
+
+    void put(const std::string& text)
+    {
+        os_.writeQuoted(text, false);
+    }
+
+    void put(scalar value)
+    {
+        os_ << value;
+    }
+
+    void put(bool value)
+    {
+        os_ << int(value);
+    }
+
+
+public:
+
+    csvFile(const fileName& name, const char* header)
+    :
+        os_(name)
+    {
+        if (!os_.good())
+        {
+            FatalErrorInFunction
+                << "Cannot write " << name << exit(FatalError);
+        }
+        os_.precision(12);
+        put(header);
+        os_ << nl;
+    }
+
+    template<class First, class... Rest>
+    void row(const First& first, const Rest&... rest)
+    {
+        put(first);
+        ((os_ << ',', put(rest)), ...);
+        os_ << nl;
+    }
+};
+
+
+//- The rows of summary.csv, also on the screen
+class summaryFile
+{
+    csvFile file_;
+
+public:
+
+    explicit summaryFile(const fileName& folder)
+    :
+        file_(folder/"summary.csv", "quantity,value,unit")
+    {}
+
+    void row(const std::string& quantity, scalar value, const char* unit)
+    {
+        file_.row(quantity, value, unit);
+        Info<< "    " << quantity.c_str() << ' ' << value << ' ' << unit << nl;
+    }
+};
+
+
+void writeCurve(const fileName& folder, const impact::jkrContact& contact)
+{
+    csvFile curve(folder/"curve.csv", "contactRadius,overlap,force");
+    const scalar a0 = contact.equilibriumRadius();
+    if (a0 == 0)
+    {
+        return;
+    }
+
+    // Even in u = sqrt(a/a0), from S on
+    const scalar low = std::cbrt(1./6), high = 1.5;
+    const label n = 200;
+    for (label i = 0; i <= n; ++i)
+    {
+        const scalar u = low + (high - low)*i/n;
+        const impact::contactState s = contact.at(a0*u*u);
+        curve.row(s.contactRadius, s.overlap, s.force);
+    }
+
+    csvFile points(folder/"points.csv", "point,contactRadius,overlap,force");
+    auto point = [&](const char* name, const impact::contactState& s)
+    {
+        points.row(name, s.contactRadius, s.overlap, s.force);
+    };
+    point("A", contact.firstTouch());
+    point("B", contact.equilibrium());
+    point("C", contact.pullOff());
+    point("S", contact.lastTouch());
+}
+
+
+void writeAlpha(const fileName& folder, const jkrImpactSetup& setup)
+{
+    const impact::dissipationLaw& law = setup.law;
+    if (law.isConstant())
+    {
+        return;
+    }
+    csvFile file(folder/"alpha.csv", "e_n,alpha,fitted");
+    if (setup.measured.empty())
+    {
+        const label n = 100;
+        for (label i = 0; i <= n; ++i)
+        {
+            const scalar e = law.low() + (law.high() - law.low())*i/n;
+            file.row(e, law.alpha(e), law.alpha(e));
+        }
+        return;
+    }
+    csvFile data(folder/"measured.csv", "V,e_n");
+    for (const measuredImpact& m : setup.measured)
+    {
+        data.row(m.speed, m.restitution);
+        file.row
+        (
+            m.restitution,
+            impact::dissipationLaw::calibrated
+            (
+                m.speed/setup.contact.separationSpeed(),
+                m.restitution,
+                setup.settings.unloading
+            ),
+            law.alpha(m.restitution)
+        );
+    }
+}
+
+
+//- V(e): the speed that belongs to a restitution
+void writeInverse(const fileName& folder, const jkrImpactSetup& setup)
+{
+    const impact::dissipationLaw& law = setup.law;
+    const scalar v = setup.contact.separationSpeed();
+    csvFile file(folder/"inverse.csv", "e_n,V");
+    const label n = 200;
+    for (label i = 0; i <= n; ++i)
+    {
+        const scalar e =
+            min(law.low() + (law.high() - law.low())*i/n, law.high());
+        const scalar q = law.speed(e);
+        if (std::isfinite(q))
+        {
+            file.row(e, q*v);
+        }
+    }
+}
+
+
+void writeChain
+(
+    const fileName& folder,
+    const jkrImpactSetup& setup,
+    summaryFile& summary
+)
+{
+    typedef impact::contactChain::event event;
+    const impact::contactChain& chain = *setup.chain;
+    csvFile file
+    (
+        folder/"chain.csv",
+        "V,P1captured,vP1,P2detached,vP2,maxOverlap1,maxOverlap2"
+    );
+    List<bool> rebounds, detaches;
+    forAll(setup.chainSpeeds, i)
+    {
+        const scalar V = setup.chainSpeeds[i];
+        const impact::chainOutcome out = chain.impact(V);
+        if (!out.decided)
+        {
+            WarningInFunction
+                << "Impact on the adhered particle at " << V
+                << " m/s: not decided after "
+                << label(impact::contactChain::maxSteps)
+                << " steps; particles in contact count as staying" << endl;
+        }
+        file.row
+        (
+            V, out.firstCaptured, out.firstSpeed, out.secondDetached,
+            out.secondSpeed, out.maxOverlap1, out.maxOverlap2
+        );
+        rebounds.append(!out.firstCaptured);
+        detaches.append(out.secondDetached);
+
+        csvFile path
+        (
+            folder/("chainTrajectory_" + Foam::name(i) + ".csv"),
+            "t,overlap1,velocity1,overlap2,velocity2"
+        );
+        for (const impact::chainMoment& m : chain.trajectory(V))
+        {
+            path.row
+            (
+                m.time, m.overlap1, m.velocity1, m.overlap2, m.velocity2
+            );
+        }
+    }
+
+    // Between speeds next to each other with different outcomes
+    auto thresholds =
+        [&](event what, const List<bool>& happened, const std::string& name)
+    {
+        label number = 0;
+        for (label i = 1; i < happened.size(); ++i)
+        {
+            if (happened[i] != happened[i - 1])
+            {
+                summary.row
+                (
+                    number ? name + "_" + std::to_string(number + 1) : name,
+                    chain.threshold
+                    (
+                        what, setup.chainSpeeds[i - 1], setup.chainSpeeds[i]
+                    ),
+                    "m/s"
+                );
+                ++number;
+            }
+        }
+        if (!number)
+        {
+            Info<< "    " << name.c_str() << ": all speeds of the chain have "
+                << "the same outcome" << nl;
+        }
+    };
+    thresholds(event::firstRebounds, rebounds, "V_captureP1");
+    thresholds(event::secondDetaches, detaches, "V_detachP2");
+}
+
+} // End anonymous namespace
+
+
+void Foam::writeJkrImpact
+(
+    const fileName& folder,
+    const jkrImpactSetup& setup
+)
+{
+    const impact::jkrContact& contact = setup.contact;
+    const impact::dissipationLaw& law = setup.law;
+    const scalar v = contact.separationSpeed();
+
+    // Results of an earlier run with more speeds would be mixed with these
+    rmDir(folder, true);
+    mkDir(folder);
+    writeCurve(folder, contact);
+    writeAlpha(folder, setup);
+
+    summaryFile summary(folder);
+    summary.row("radius", contact.radius(), "m");
+    summary.row("modulus", contact.modulus(), "Pa");
+    summary.row("mass", contact.mass(), "kg");
+    summary.row("workOfAdhesion", contact.workOfAdhesion(), "J/m2");
+    summary.row("a0", contact.equilibriumRadius(), "m");
+    summary.row("F_C", contact.pullOffForce(), "N");
+    summary.row("delta_C", contact.pullOffOverlap(), "m");
+    summary.row("delta_B", contact.equilibrium().overlap, "m");
+    summary.row("delta_hard", contact.pullOff().overlap, "m");
+    summary.row("delta_S", contact.lastTouch().overlap, "m");
+    summary.row("W_st", contact.separationWork(), "J");
+    summary.row
+    (
+        "W_hard",
+        contact.separationWork(impact::unloadingType::hard),
+        "J"
+    );
+    summary.row("v_st", v, "m/s");
+    if (law.isConstant())
+    {
+        const scalar alpha = law.coeffs()[0];
+        summary.row("alpha", alpha, "-");
+        summary.row
+        (
+            "V_capture",
+            impact::jkrImpact(contact, alpha, setup.settings).captureSpeed(),
+            "m/s"
+        );
+        summary.row
+        (
+            "e_withoutAdhesion",
+            impact::jkrMotion::hertzRestitution(alpha),
+            "-"
+        );
+    }
+    else
+    {
+        for (std::size_t i = 0; i < law.coeffs().size(); ++i)
+        {
+            summary.row("alpha_c" + std::to_string(i), law.coeffs()[i], "-");
+        }
+        summary.row("e_low", law.low(), "-");
+        summary.row("e_high", law.high(), "-");
+        if (law.low() == 0)
+        {
+            summary.row("V_capture", law.speed(0)*v, "m/s");
+        }
+        else
+        {
+            Info<< "    V_capture: alpha(e) does not reach e = 0" << nl;
+        }
+        label number = 0;
+        for (const impact::dissipationLaw::interval& i : law.ambiguous())
+        {
+            const std::string end = "_" + std::to_string(++number);
+            summary.row("V_ambiguousFrom" + end, i.low*v, "m/s");
+            summary.row("V_ambiguousTo" + end, i.high*v, "m/s");
+            WarningInFunction
+                << "Several restitutions belong to one speed between "
+                << i.low*v << " and " << i.high*v
+                << " m/s: alpha(e) is too steep there. The largest is taken"
+                << endl;
+        }
+        writeInverse(folder, setup);
+    }
+
+    csvFile file
+    (
+        folder/"restitution.csv",
+        "V,e_n,captured,contactTime,maxOverlap"
+    );
+    scalar evaluations = 0;
+    forAll(setup.speeds, i)
+    {
+        const scalar V = setup.speeds[i];
+        try
+        {
+            impact::normalRebound rebound = {false, 0};
+            scalar alpha = law.coeffs()[0];
+            if (!law.isConstant())
+            {
+                rebound = law.rebound(V/v);
+                alpha = law.alpha(rebound.restitution);
+            }
+            const impact::jkrImpact impact(contact, alpha, setup.settings);
+            const impact::impactOutcome out = impact.impact(V);
+            if (law.isConstant())
+            {
+                rebound = {out.captured, out.restitution};
+            }
+            evaluations += out.evaluations;
+            if (rebound.captured)
+            {
+                file.row(V, 0., true, "", out.maxOverlap);
+            }
+            else
+            {
+                file.row
+                (
+                    V, rebound.restitution, false, out.contactTime,
+                    out.maxOverlap
+                );
+            }
+            if (setup.trajectories)
+            {
+                csvFile path
+                (
+                    folder/("trajectory_" + Foam::name(i) + ".csv"),
+                    "t,overlap,velocity,force,contactRadius"
+                );
+                for
+                (
+                    const impact::impactMoment& m
+                  : impact.trajectory(V, setup.nLoops)
+                )
+                {
+                    path.row
+                    (
+                        m.time, m.overlap, m.velocity, m.force,
+                        m.contactRadius
+                    );
+                }
+            }
+        }
+        catch (const std::invalid_argument& error)
+        {
+            FatalErrorInFunction
+                << "speeds " << V << " m/s: " << error.what()
+                << " (v_st " << v << " m/s)" << exit(FatalError);
+        }
+    }
+    summary.row
+    (
+        "forceEvaluationsPerImpact", evaluations/setup.speeds.size(), "-"
+    );
+    if (setup.chain)
+    {
+        writeChain(folder, setup, summary);
+    }
+}

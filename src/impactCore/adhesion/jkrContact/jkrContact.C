@@ -1,0 +1,228 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "jkrContact.H"
+#include "outOfRange.H"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+
+using namespace impact;
+
+void check(bool valid, const char* entry, double value, const char* range)
+{
+    if (!valid)
+    {
+        throwOutOfRange(entry, value, range);
+    }
+}
+
+
+void checkPositive(const char* entry, double value)
+{
+    check(value > 0 && std::isfinite(value), entry, value, "(0, inf)");
+}
+
+
+void checkSolid(const elasticSolid& solid)
+{
+    checkPositive("E", solid.E);
+    check(solid.nu > -1 && solid.nu < 0.5, "nu", solid.nu, "(-1, 0.5)");
+}
+
+
+void checkSphere(const elasticSphere& sphere)
+{
+    checkPositive("diameter", sphere.diameter);
+    checkPositive("density", sphere.density);
+    checkSolid(sphere.solid);
+}
+
+
+double compliance(const elasticSolid& solid)
+{
+    return (1 - solid.nu*solid.nu)/solid.E;
+}
+
+} // End anonymous namespace
+
+
+impact::jkrContact::jkrContact
+(
+    double radius,
+    double modulus,
+    double mass,
+    double workOfAdhesion
+)
+:
+    radius_(radius),
+    modulus_(modulus),
+    mass_(mass),
+    workOfAdhesion_(workOfAdhesion)
+{
+    checkPositive("radius", radius);
+    checkPositive("modulus", modulus);
+    checkPositive("mass", mass);
+    check
+    (
+        workOfAdhesion >= 0 && std::isfinite(workOfAdhesion),
+        "workOfAdhesion",
+        workOfAdhesion,
+        "[0, inf)"
+    );
+    equilibriumRadius_ =
+        std::cbrt(4.5*M_PI*workOfAdhesion*radius*radius/modulus);
+}
+
+
+impact::jkrContact impact::jkrContact::onWall
+(
+    const elasticSphere& particle,
+    const elasticSolid& wall,
+    double workOfAdhesion
+)
+{
+    checkSphere(particle);
+    checkSolid(wall);
+    return jkrContact
+    (
+        0.5*particle.diameter,
+        1/(compliance(particle.solid) + compliance(wall)),
+        particle.mass(),
+        workOfAdhesion
+    );
+}
+
+
+impact::jkrContact impact::jkrContact::between
+(
+    const elasticSphere& first,
+    const elasticSphere& second,
+    double workOfAdhesion
+)
+{
+    checkSphere(first);
+    checkSphere(second);
+    const double d1 = first.diameter, d2 = second.diameter;
+    const double m1 = first.mass(), m2 = second.mass();
+    return jkrContact
+    (
+        0.5/(1/d1 + 1/d2),
+        1/(compliance(first.solid) + compliance(second.solid)),
+        1/(1/m1 + 1/m2),
+        workOfAdhesion
+    );
+}
+
+
+double impact::jkrContact::pullOffForce() const
+{
+    return 1.5*M_PI*workOfAdhesion_*radius_;
+}
+
+
+double impact::jkrContact::pullOffOverlap() const
+{
+    return -lastTouch().overlap;
+}
+
+
+double impact::jkrContact::separationWork(unloadingType unloading) const
+{
+    const units scale = scales(0);
+    return scale.energy*scale.curve.separationWork(unloading);
+}
+
+
+double impact::jkrContact::separationSpeed(unloadingType unloading) const
+{
+    return std::sqrt(2*separationWork(unloading)/mass_);
+}
+
+
+double impact::jkrContact::undampedRebound
+(
+    double speed,
+    unloadingType unloading
+) const
+{
+    const double v = separationSpeed(unloading);
+    return speed > v ? std::sqrt((speed - v)*(speed + v)) : 0;
+}
+
+
+impact::contactState impact::jkrContact::at(double contactRadius) const
+{
+    const units scale = scales(0);
+    const double u = std::sqrt(contactRadius/scale.radius);
+    return
+    {
+        contactRadius,
+        scale.length*scale.curve.overlap(u),
+        scale.force*scale.curve.force(u)
+    };
+}
+
+
+impact::contactState impact::jkrContact::firstTouch() const
+{
+    return at(equilibriumRadius_*std::pow(2./3, 2./3));
+}
+
+
+impact::contactState impact::jkrContact::equilibrium() const
+{
+    return at(equilibriumRadius_);
+}
+
+
+impact::contactState impact::jkrContact::pullOff() const
+{
+    return at(equilibriumRadius_*std::pow(0.5, 2./3));
+}
+
+
+impact::contactState impact::jkrContact::lastTouch() const
+{
+    return at(equilibriumRadius_*std::pow(1./6, 2./3));
+}
+
+
+double impact::jkrContact::contactRadius(double overlap) const
+{
+    const units scale = scales(0);
+    const double u = scale.curve.uOf(overlap/scale.length);
+    return scale.radius*u*u;
+}
+
+
+impact::jkrContact::units impact::jkrContact::scales(double speed) const
+{
+    const double hertz = std::pow
+    (
+        0.75*mass_*radius_*radius_*speed*speed/modulus_, 0.2
+    );
+    double r = std::max(equilibriumRadius_, hertz);
+    if (r == 0)
+    {
+        r = radius_;
+    }
+    const double ratio = equilibriumRadius_/r;
+    const double length = r*r/radius_;
+    const double force = 4*modulus_*r*r*r/(3*radius_);
+    const double time = std::sqrt(mass_*length/force);
+    return
+    {
+        jkrCurve(2./3*ratio*std::sqrt(ratio)),
+        r,
+        length,
+        force,
+        time,
+        length/time,
+        force*length
+    };
+}
