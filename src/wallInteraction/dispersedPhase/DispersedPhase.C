@@ -32,7 +32,7 @@ Foam::DispersedPhase<CloudType>::DispersedPhase
             owner.name(),
             modelName,
             owner.mesh(),
-            parcelSpin<parcelType>::carried
+            parcelSpin::carried<parcelType>()
         )
     );
 }
@@ -73,7 +73,7 @@ void Foam::DispersedPhase<CloudType>::postEvolve
                     p.nParticle(),
                     p.volume(),
                     p.U(),
-                    parcelSpin<parcelType>::omega(p)
+                    parcelSpin::get(p)
                 );
             }
         }

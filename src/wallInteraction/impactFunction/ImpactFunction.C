@@ -141,7 +141,7 @@ Foam::ImpactFunction<CloudType, Recorder>::postPatch
         i.Uw = Uw;
         i.U0 = p.U();
         i.U1 = Zero;
-        i.omega0 = parcelSpin<parcelType>::omega(p);
+        i.omega0 = parcelSpin::get(p);
         i.omega1 = Zero;
         i.d = p.d();
         i.mass = p.mass();
@@ -154,7 +154,7 @@ Foam::ImpactFunction<CloudType, Recorder>::postPatch
         i.rotationalEnergy1 = 0;
         i.nParticle = p.nParticle();
         i.captured = false;
-        recorder_->take(i, parcelSpin<parcelType>::carried, false);
+        recorder_->take(i, parcelSpin::carried<parcelType>(), false);
     }
 
     FOAM_COMPAT_TRACK_KEEP;
