@@ -50,9 +50,7 @@ void Foam::impactRecorder::end()
         log_.setFirst(place);
     }
 
-    const bool last =
-        time_.value() > time_.endTime().value() - 0.5*time_.deltaTValue();
-    if (time_.writeTime() || last)
+    if (time_.writeTime() || averagingWindow::lastStep(time_))
     {
         log_.write();
     }

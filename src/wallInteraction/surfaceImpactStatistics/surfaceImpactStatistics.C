@@ -438,7 +438,8 @@ void Foam::surfaceImpactStatistics::take
         a[ANGLE] = w*measures.angle;
         a[MASS] = mass;
         a[INCIDENT] =
-            0.5*mass*measures.speed*measures.speed + w*i.rotationalEnergy0;
+            impact::impactMeasures::translationalLoss(mass, v0, {0, 0, 0})
+          + w*i.rotationalEnergy0;
         a[LOST] = 0;
         a[LOST_TRANSLATIONAL] = 0;
         a[CAPTURED] = 0;
@@ -522,7 +523,7 @@ void Foam::surfaceImpactStatistics::end()
     pending_.clear();
 
     const Time& time = mesh_.time();
-    const bool last = window_.lastStep();
+    const bool last = averagingWindow::lastStep(time);
 
     if (averaging_)
     {

@@ -455,8 +455,8 @@ TEST_F(surfaceImpactTest, knowsParcelsThatSpin)
 {
     typedef basicKinematicCloud::parcelType plain;
     typedef basicKinematicCollidingCloud::parcelType spinning;
-    EXPECT_FALSE(parcelSpin<plain>::carried);
-    EXPECT_TRUE(parcelSpin<spinning>::carried);
+    EXPECT_FALSE(parcelSpin::carried<plain>());
+    EXPECT_TRUE(parcelSpin::carried<spinning>());
 
     properties
     (

@@ -372,6 +372,18 @@ worst = max(same_table(table(straight, n), table(shared, n))
             for n in ("byAngle", "byPatch"))
 verdict("two_ranks_then_one", worst < 1e-10, f"apart by {worst:.2g}")
 
+# One rank, then two
+shared = channel("shared2", control="endTime 2e-4;")
+solve(shared)
+decompose(shared)
+write_foam(shared, "system/controlDict", f"""
+#include "{os.path.abspath(straight)}/system/controlDict"
+""")
+solve(shared, 2)
+worst = max(same_table(table(straight, n), table(shared, n))
+            for n in ("byAngle", "byPatch"))
+verdict("one_rank_then_two", worst < 1e-10, f"apart by {worst:.2g}")
+
 # Averages that were made otherwise are not gone on with
 write_foam(restarted, "system/controlDict", f"""
 #include "{os.path.abspath(straight)}/system/controlDict"
@@ -403,17 +415,22 @@ verdict("stops_at_the_error", status == 0 and "the target is met" in text
             case, last, CLOUD + ":surfaceImpact:intensity")),
         f"at {last} s with {worst:.3f}")
 
-# The same in our own solver, over a frozen gas
+# The same on two ranks, and in our own solver, over a frozen gas
 for time in times_of(case)[1:]:
     shutil.rmtree(os.path.join(case, time))
 shutil.rmtree(os.path.join(case, "postProcessing"))
+decompose(case, (1, 2, 1))
+text = solve(case, 2)
+ours = times_of(os.path.join(case, "processor0"))[-1]
+verdict("two_ranks_stop_at_the_error", ours == last
+        and "the target is met" in text, f"at {ours} s")
 write_foam(case, "constant/parcelClouds", f"clouds ({CLOUD});")
 write_foam(case, "system/fvSolution", "highSpeedGas { mode frozen; }")
 shutil.copy(os.path.join(os.environ["tutorial"], "system/fvSchemes"),
             os.path.join(case, "system/fvSchemes"))
 status, text = run(case, "rhoCentralParcelFoam")
-ours, stock = times_of(case)[-1], last
-verdict("stops_rhoCentralParcelFoam", status == 0 and ours == stock
+ours = times_of(case)[-1]
+verdict("stops_rhoCentralParcelFoam", status == 0 and ours == last
         and "the target is met" in text
         and os.path.exists(os.path.join(case, ours, "uniform/complete")),
         f"at {ours} s: {complaint(text) if status else 'End'}")

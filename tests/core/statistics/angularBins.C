@@ -93,12 +93,16 @@ TEST(angularBins, hasTheAreaOfTheFaces)
         const double a = i*dphi - 30;
         bins.addArea
         (
-            {at(R, a, 0), at(R, a + dphi, 0), at(R, a + dphi, dz), at(R, a, dz)},
+            {
+                at(R, a, 0), at(R, a + dphi, 0),
+                at(R, a + dphi, dz), at(R, a, dz)
+            },
             areas
         );
         total += 2*R*std::sin(dphi/2*M_PI/180)*dz;
     }
-    EXPECT_NEAR(std::accumulate(areas.begin(), areas.end(), 0.0)/total, 1, 1e-13);
+    const double sum = std::accumulate(areas.begin(), areas.end(), 0.0);
+    EXPECT_NEAR(sum/total, 1, 1e-13);
 
     const double arc = R*M_PI/180*dz;
     const double flat = 1 - std::pow(dphi*M_PI/180, 2)/24;

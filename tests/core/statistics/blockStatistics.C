@@ -253,6 +253,16 @@ TEST(blockStatistics, hasNothingToSayAboutNothing)
     EXPECT_EQ(statistics.ratio(0, 1, 0).value, 0);
     EXPECT_LT(statistics.ratio(0, 1, 0).error, 0);
     EXPECT_EQ(statistics.rate(0, 1).error, 0);
+
+    // One event has a speed, and a rate of 100 % error, but no scatter
+    statistics.open()[number] += 1;
+    statistics.open()[speed] += 300;
+    statistics.advance(1);
+    statistics.close();
+    EXPECT_EQ(statistics.ratio(0, speed, number).value, 300);
+    EXPECT_LT(statistics.ratio(0, speed, number).error, 0);
+    const auto rate = statistics.rate(0, number);
+    EXPECT_NEAR(rate.error/rate.value, 1, 0.1);
 }
 
 

@@ -110,11 +110,16 @@ double erosionLaw::volume
     {
         return 0;
     }
+
+    // One exponential for the four powers
     return
-        mass*factor_*std::pow(s, n1_)
-       *std::pow(1 + K_*std::max(1 - s, 0.0), n2_)
-       *std::pow(speed/referenceSpeed_, k2_)
-       *std::pow(diameter/referenceDiameter_, k3_);
+        mass*factor_*std::exp
+        (
+            n1_*std::log(s)
+          + n2_*std::log1p(K_*std::max(1 - s, 0.0))
+          + k2_*std::log(speed/referenceSpeed_)
+          + k3_*std::log(diameter/referenceDiameter_)
+        );
 }
 
 } // End namespace impact

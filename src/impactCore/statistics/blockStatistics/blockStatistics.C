@@ -52,9 +52,14 @@ blockStatistics::estimate blockStatistics::errorOf
             const double y = reference ? sums[*reference] : time;
             const double rest = sums[quantity] - ratio*y;
             squares += rest*rest;
-            ++n;
+            n += y != 0;
         }
     );
+    if (n < 2)
+    {
+        // All of it in one block: no scatter to see
+        return {ratio, -1};
+    }
     return {ratio, std::sqrt(n/(n - 1)*squares)/denominator};
 }
 

@@ -86,7 +86,9 @@ bool identitySet::contains(std::int32_t processor, std::int64_t number) const
 std::size_t identitySet::bytes() const
 {
     // Page, its key, the list node and the bucket
-    return pages_.size()*(sizeof(page) + sizeof(std::uint64_t) + 2*sizeof(void*));
+    return
+        pages_.size()
+       *(sizeof(page) + sizeof(std::uint64_t) + 2*sizeof(void*));
 }
 
 
