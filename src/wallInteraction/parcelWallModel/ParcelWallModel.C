@@ -181,7 +181,7 @@ inline void Foam::ParcelWallModel<CloudType>::leave
     {
         publish(p, pp, hit, p.U(), false);
     }
-    if ((V1 & fromCore(hit.n)) < sliding*mag(V1))
+    if (mag(V1 & fromCore(hit.n)) < sliding*mag(V1))
     {
         lift(p);
     }

@@ -422,6 +422,17 @@ def check_plane():
         "speed of the case in space, direction as projected")
 
 
+def check_sliding():
+    """Without restitution parcels slide in the planes of the walls, where the
+    stock tracker may not end."""
+    case = closed("sliding", "hardSphereWall",
+                  patches(f"{ALL_WALLS} {{ restitution 0; friction 0.2; }}"))
+    status, log = run(case, "timeout", "200", SOLVER)
+    U = parcels(case, "0.002", "U")[1] if status == 0 else np.zeros((0, 3))
+    verdict("slidingParcels", status == 0 and len(U) == 400
+            and np.isfinite(U).all(), f"exit status {status}")
+
+
 # ------------------------------------------------------------------ bad input
 
 def check_bad_input():
@@ -562,6 +573,7 @@ def main():
     check_ranks()
     check_fates()
     check_plane()
+    check_sliding()
     check_bad_input()
 
 
