@@ -175,6 +175,40 @@ Foam::NonSphericalRebound<CloudType>::readWall
 
 
 template<class CloudType>
+impact::wallFrame Foam::NonSphericalRebound<CloudType>::frameOf
+(
+    const wallData& wall,
+    const parcelType& p,
+    const wallHit& hit
+) const
+{
+    typedef impact::wallFrame frame;
+    switch (wall.lay)
+    {
+        case layType::fixed:
+        {
+            return frame::along(hit.n, toCore(wall.layDirection));
+        }
+        case layType::acrossFlow:
+        {
+            const impact::vector3 flow =
+                toCore(this->owner().U()[p.cell()] - hit.Uw);
+            if (mag(cross(flow, hit.n)) > 1e-6*mag(hit.V0))
+            {
+                return frame::across(hit.n, flow);
+            }
+            break;
+        }
+        case layType::acrossMotion:
+        {
+            break;
+        }
+    }
+    return frame::across(hit.n, hit.V0);
+}
+
+
+template<class CloudType>
 impact::impactKey Foam::NonSphericalRebound<CloudType>::key
 (
     const parcelType& p
@@ -259,15 +293,7 @@ bool Foam::NonSphericalRebound<CloudType>::correct
     }
 
     wallData& wall = walls_[wallOf_[hit.setting]];
-    const impact::wallFrame frame =
-        wall.lay == layType::fixed
-      ? impact::wallFrame::along(hit.n, toCore(wall.layDirection))
-      : wall.lay == layType::acrossMotion
-      ? impact::wallFrame::across(hit.n, hit.V0)
-      : impact::wallFrame::across
-        (
-            hit.n, toCore(this->owner().U()[p.cell()] - hit.Uw)
-        );
+    const impact::wallFrame frame(frameOf(wall, p, hit));
     const impact::vector3 V = frame.toWall(hit.V0);
     const impact::impactKey k(key(p));
 

@@ -97,8 +97,13 @@ inline bool Foam::ParcelWallModel<CloudType>::arrive
     this->owner().patchData(p, pp, nw, hit.Uw);
     hit.U0 = p.U();
     const vector V0(hit.U0 - hit.Uw);
-    if ((V0 & nw) <= 0)
+    const scalar approach = V0 & nw;
+    if (approach <= 0)
     {
+        if (approach > -sliding*mag(V0))
+        {
+            lift(p);
+        }
         return false;
     }
     hit.n = toCore(-nw);
@@ -176,6 +181,18 @@ inline void Foam::ParcelWallModel<CloudType>::leave
     {
         publish(p, pp, hit, p.U(), false);
     }
+    if (mag(V1 & fromCore(hit.n)) < sliding*mag(V1))
+    {
+        lift(p);
+    }
+}
+
+
+template<class CloudType>
+void Foam::ParcelWallModel<CloudType>::lift(parcelType& p) const
+{
+    const point& centre = this->owner().pMesh().cellCentres()[p.cell()];
+    p.trackToFace(1e-6*(centre - p.position()), 0);
 }
 
 

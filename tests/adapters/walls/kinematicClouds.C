@@ -1,0 +1,240 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+
+Description
+    The wall models in the kinematic clouds: one step of each, what is
+    published against the laws of the core, spin, copies of a cloud, the
+    annotated dictionaries.
+\*---------------------------------------------------------------------------*/
+
+#include "basicKinematicCloud.H"
+#include "basicKinematicCollidingCloud.H"
+#include "basicKinematicMPPICCloud.H"
+#include "hardSphereWall.H"
+#include "nonSphericalRebound.H"
+#include "wallModelsTest.H"
+
+using namespace Foam;
+
+namespace
+{
+
+impact::vector3 core(const vector& v)
+{
+    return {v.x(), v.y(), v.z()};
+}
+
+} // End anonymous namespace
+
+
+class kinematicWallModels
+:
+    public wallModelsTest
+{
+protected:
+
+    template<class Cloud>
+    void run(const modelSettings& m)
+    {
+        SCOPED_TRACE(m.model);
+        writeCloud("sand", m.model, withPlate(m.settings));
+        open();
+        const volVectorField U(velocity());
+        const volScalarField rho(uniform("rho", dimDensity, 1));
+        const volScalarField mu(uniform("mu", dimDynamicViscosity, 1e-5));
+        Cloud cloud("sand", rho, U, mu, noGravity());
+        evolveOnce(cloud);
+    }
+
+    template<class Cloud>
+    void runAll()
+    {
+        for (const modelSettings& m : allModels)
+        {
+            run<Cloud>(m);
+        }
+    }
+};
+
+
+TEST_F(kinematicWallModels, inBasicKinematicCloud)
+{
+    runAll<basicKinematicCloud>();
+}
+
+
+TEST_F(kinematicWallModels, inBasicKinematicCollidingCloud)
+{
+    runAll<basicKinematicCollidingCloud>();
+}
+
+
+TEST_F(kinematicWallModels, inBasicKinematicMPPICCloud)
+{
+    runAll<basicKinematicMPPICCloud>();
+}
+
+
+TEST_F(kinematicWallModels, publishWhatTheCoreSays)
+{
+    writeCloud
+    (
+        "sand", "hardSphereWall",
+        withPlate
+        (
+            "restitutionModel McNamaraFalcon; restitution 0.7;"
+            " restitutionSpeed 0.3; friction 0.02;"
+        )
+    );
+    open();
+    const volVectorField U(velocity());
+    const volScalarField rho(uniform("rho", dimDensity, 1));
+    const volScalarField mu(uniform("mu", dimDynamicViscosity, 1e-5));
+    basicKinematicCollidingCloud cloud("sand", rho, U, mu, noGravity());
+    const auto law = impact::hardSphereWall::McNamaraFalcon(0.7, 0.3, 0.02);
+    const auto impacts = evolveOnce(cloud);
+    ASSERT_EQ(impacts.size(), nToPlate);
+    for (const wallImpact& i : impacts)
+    {
+        EXPECT_LT(mag(i.U0 - vector(1000, 200, 0)), 1e-12);
+        impact::sphereState s = {core(i.U0), core(i.omega0)};
+        law.rebound(core(i.n), 0.5*i.d, s);
+        EXPECT_LT(mag(core(i.U1) - s.V), 1e-14*1000);
+        EXPECT_LT(mag(core(i.omega1) - s.omega), 1e-14*mag(s.omega));
+        EXPECT_GT(mag(s.omega), 1e6);
+        const scalar inertia = 0.1*i.mass*sqr(i.d);
+        EXPECT_NEAR
+        (
+            i.rotationalEnergy1, 0.5*inertia*magSqr(i.omega1),
+            1e-13*i.rotationalEnergy1
+        );
+        EXPECT_EQ(i.rotationalEnergy0, 0);
+    }
+
+    // The parcels carry it on
+    for (const auto& p : cloud)
+    {
+        EXPECT_LT(mag(p.U() - impacts[0].U1), 1e-10);
+        EXPECT_NEAR
+        (
+            mag(p.omega()/mag(impacts[0].omega1)), 1, 1e-12
+        );
+    }
+}
+
+
+TEST_F(kinematicWallModels, keyDrawsOnTheImpact)
+{
+    writeCloud("sand", allModels[2].model, withPlate(allModels[2].settings));
+    open();
+    const volVectorField U(velocity());
+    const volScalarField rho(uniform("rho", dimDensity, 1));
+    const volScalarField mu(uniform("mu", dimDynamicViscosity, 1e-5));
+    basicKinematicCloud cloud("sand", rho, U, mu, noGravity());
+    const auto impacts = evolveOnce(cloud);
+
+    impact::scatteringSampler::setup setup;
+    setup.body = impact::convexBody::box({2e-5, 1.6e-5, 1.6e-5});
+    setup.wall = std::make_shared<const impact::relief>
+    (
+        impact::relief::rough(8e-5, 1e-5, 2e-5)
+    );
+    impact::nonSphericalRebound wall(setup);
+    label first = 0;
+    for (const wallImpact& i : impacts)
+    {
+        if (mag(i.U0 - vector(1000, 200, 0)) > 1e-9)
+        {
+            continue;       // a second visit
+        }
+        ++first;
+        const impact::wallFrame frame =
+            impact::wallFrame::across(core(i.n), core(i.U0));
+        const scalar fraction =
+            1 - (time_->value() - i.time)/time_->deltaTValue();
+        const auto d = wall.depart
+        (
+            frame.toWall(core(i.U0)), {0, 0, 0}, 2e-5,
+            impact::impactKey::ofTime
+            (
+                1, i.origProc, i.origId, 1,
+                impact::impactKey::rounded(fraction), 0
+            )
+        );
+        const impact::vector3 V = frame.fromWall(d.V);
+        EXPECT_NEAR(i.U1.x(), V.x, 1e-10);
+        EXPECT_NEAR(i.U1.y(), V.y, 1e-10);
+
+        // This parcel carries no spin
+        EXPECT_EQ(mag(i.omega1), 0);
+        EXPECT_EQ(i.rotationalEnergy1, 0);
+    }
+    EXPECT_EQ(first, nToPlate);
+}
+
+
+TEST_F(kinematicWallModels, reportWithinMultiInteraction)
+{
+    writeCloud
+    (
+        "sand", "multiInteraction",
+        "oneInteractionOnly yes; a { patchInteractionModel hardSphereWall;"
+        " hardSphereWallCoeffs { patches ( plate { restitution 1; friction"
+        " 0; } ); } } b { patchInteractionModel semiEmpiricalRebound;"
+        " semiEmpiricalReboundCoeffs { patches ( sides { type capture; }"
+        " inlet { type escape; } ); } }"
+    );
+    open();
+    const volVectorField U(velocity());
+    const volScalarField rho(uniform("rho", dimDensity, 1));
+    const volScalarField mu(uniform("mu", dimDynamicViscosity, 1e-5));
+    basicKinematicCloud cloud("sand", rho, U, mu, noGravity());
+    ASSERT_EQ(cloud.functions().size(), 1);
+
+    evolveOnce(cloud);
+    OStringStream report;
+    dictionary properties;
+    wallCounters::New(cloud).report(report, properties, true, true);
+    const string text(report.str());
+    EXPECT_NE(text.find("hardSphereWall, patch plate"), string::npos) << text;
+    EXPECT_NE(text.find("semiEmpiricalRebound, patch inlet"), string::npos);
+    const scalarList stored
+    (
+        properties.subDict("patchInteractionModel").subDict("hardSphereWall")
+       .get<scalarList>("wallCounters_plate")
+    );
+    EXPECT_EQ(stored[wallCounters::hits], nToPlate);
+}
+
+
+TEST_F(kinematicWallModels, takeTheAnnotatedDictionaries)
+{
+    for (const modelSettings& m : allModels)
+    {
+        SCOPED_TRACE(m.model);
+        const fileName file
+        (
+            std::string(std::getenv("PARCEL_IMPACT_DIR"))
+          + "/etc/caseDicts/annotated/" + m.model
+        );
+        IFstream is(file);
+        const dictionary dict(is);
+        const word coeffs(word(m.model) + "Coeffs");
+        ASSERT_EQ(dict.get<word>("patchInteractionModel"), word(m.model));
+        OStringStream text;
+        dict.subDict(coeffs).write(text, false);
+        writeCloud("sand", m.model, text.str());
+        open();
+        const volVectorField U(velocity());
+        const volScalarField rho(uniform("rho", dimDensity, 1));
+        const volScalarField mu(uniform("mu", dimDynamicViscosity, 1e-5));
+        basicKinematicCollidingCloud cloud("sand", rho, U, mu, noGravity());
+        (*time_)++;
+        cloud.evolve();
+        const label plate = mesh_->boundaryMesh().findPatchID("plate");
+        EXPECT_GE
+        (
+            wallCounters::New(cloud).of(plate)[wallCounters::hits], nToPlate
+        );
+    }
+}

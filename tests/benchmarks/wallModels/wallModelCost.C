@@ -1,0 +1,152 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+
+Application
+    wallModelCost
+
+Description
+    CPU time of one call of each wall model of a case, beside stock rebound.
+
+    constant/wallModelCost names models: a list of (name dictionary), each
+    dictionary with patchInteractionModel, its coefficients, and 'calls'.
+    Parcels of different identities sit on the patch 'plate' and strike it
+    again and again with velocity U0; the models take turns, five times, and
+    the least time of each counts. Prints name, microseconds per call and
+    microseconds above stock rebound, which must be the first.
+\*---------------------------------------------------------------------------*/
+
+#include "IFstream.H"
+#include "argList.H"
+#include "basicKinematicCollidingCloud.H"
+#include "fvMesh.H"
+#include "volFields.H"
+
+#include <ctime>
+
+using namespace Foam;
+
+namespace
+{
+
+double cpuSeconds()
+{
+    timespec t;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return double(t.tv_sec) + 1e-9*double(t.tv_nsec);
+}
+
+
+//- Writes the properties of a cloud with a wall model
+void writeProperties(const Time& time, const word& cloud, const dictionary& m)
+{
+    IFstream is(time.constant()/"cloudProperties");
+    dictionary dict(is);
+    dict.subDict("subModels").merge(m);
+    OFstream os(time.constant()/(cloud + "Properties"));
+    os.precision(17);
+    os  << "FoamFile{version 2.0; format ascii; class dictionary; object "
+        << cloud << "Properties;}" << nl;
+    dict.write(os, false);
+}
+
+} // End anonymous namespace
+
+
+int main(int argc, char* argv[])
+{
+    argList args(argc, argv);
+    Time time(Time::controlDictName, args);
+    const fvMesh mesh
+    (
+        IOobject(fvMesh::defaultRegion, time.timeName(), time,
+            IOobject::MUST_READ)
+    );
+    const volVectorField U
+    (
+        IOobject("U", time.timeName(), mesh, IOobject::MUST_READ), mesh
+    );
+    const volScalarField rho
+    (
+        IOobject("rho", time.timeName(), mesh), mesh,
+        dimensionedScalar("rho", dimDensity, 1)
+    );
+    const volScalarField mu
+    (
+        IOobject("mu", time.timeName(), mesh), mesh,
+        dimensionedScalar("mu", dimDynamicViscosity, 1e-5)
+    );
+    const dimensionedVector g("g", dimAcceleration, Zero);
+    const label plate = mesh.boundaryMesh().findPatchID("plate");
+
+    IFstream is(time.constant()/"wallModelCost");
+    const dictionary list(is);
+    const vector U0(list.get<vector>("U0"));
+    const scalar d(list.get<scalar>("d"));
+    typedef basicKinematicCollidingCloud cloudType;
+    typedef cloudType::parcelType parcelType;
+    PtrList<cloudType> clouds;
+    wordList names;
+    labelList calls;
+    for (const entry& e : list.subDict("models"))
+    {
+        names.append(e.keyword());
+        calls.append(e.dict().get<label>("calls"));
+        writeProperties(time, e.keyword(), e.dict());
+        clouds.append(new cloudType(e.keyword(), rho, U, mu, g));
+    }
+
+    // Parcels on their way to the plate, brought to it
+    PtrList<parcelType> parcels;
+    const point start(list.get<point>("start"));
+    for (label i = 0; i < 64; ++i)
+    {
+        parcels.append
+        (
+            new parcelType
+            (
+                mesh, start + vector(0, 0, 1e-4*i), mesh.findCell(start)
+            )
+        );
+        parcelType& p = parcels[i];
+        p.track(vector(0, -1, 0), 1);
+        if (!p.onBoundaryFace() || p.patch() != plate)
+        {
+            FatalErrorInFunction
+                << "A parcel has not come to the plate" << exit(FatalError);
+        }
+        p.d() = d;
+        p.rho() = 2500;
+        p.nParticle() = 1;
+        p.active(true);
+    }
+
+    const polyPatch& pp = mesh.boundaryMesh()[plate];
+    scalarList best(clouds.size(), GREAT);
+    for (label turn = 0; turn < 5; ++turn)
+    {
+        forAll(clouds, c)
+        {
+            auto& model = clouds[c].patchInteraction();
+            bool keep = true;
+            const double begin = cpuSeconds();
+            for (label i = 0; i < calls[c]; ++i)
+            {
+                parcelType& p = parcels[i & 63];
+                p.U() = U0;
+                p.angularMomentum() = Zero;
+                p.origId() = turn*calls[c] + i;
+                model.correct(p, pp, keep);
+            }
+            best[c] = min(best[c], 1e6*(cpuSeconds() - begin)/calls[c]);
+        }
+    }
+    forAll(clouds, c)
+    {
+        std::printf
+        (
+            "RESULT %s %.4f %.4f\n",
+            names[c].c_str(), best[c], best[c] - best[0]
+        );
+    }
+    return 0;
+}

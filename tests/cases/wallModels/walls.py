@@ -1,0 +1,580 @@
+"""Runs and checks of the wall models; stands in an empty folder. Knows nothing
+of the code under test: the laws of a sphere are written down here once more,
+the distributions come from scatteringIndicatrix."""
+
+import math
+import os
+import shutil
+import sys
+
+import numpy as np
+
+from caseTools import (complaint, copy_case, decompose, edit, must, run,
+                       times_of, verdict, write_foam)
+from plate import (OPEN, SOLVER, counters, injector, mesh, parcels, solve,
+                   write_plate)
+
+BOX = "shape { type box; size (32e-6 25.6e-6 25.6e-6); }"
+BOX_D = (6*32e-6*25.6e-6**2/math.pi)**(1/3)
+ROUGH = ("wall { type rough; meanSpacing 80e-6; sigmaSpacing 10e-6;"
+         " sigmaHeight 20e-6; }")
+LAW = "law { type restitution; normal 0.8; tangential 0; }"
+LID = '"[xz]M.*" { type escape; } yMax { type escape; }'
+SPEED = 200.0
+
+
+def patches(*items):
+    return "patches ( " + " ".join(items) + " );"
+
+
+def direction(incidence, speed=SPEED):
+    a = math.radians(incidence)
+    return (speed*math.cos(a), -speed*math.sin(a), 0)
+
+
+def beam(incidence, n, diameter=BOX_D, speed=SPEED):
+    """Parcels side by side in the middle of the box, that all hit the plate
+    in the first half of the run."""
+    return injector((0.4, 0.005, 0.09), (0.4, 0.005, 0.11), n,
+                    direction(incidence, speed), diameter)
+
+
+def new(name):
+    shutil.rmtree(name, ignore_errors=True)
+    os.mkdir(name)
+    return name
+
+
+# ------------------------------------------------------- laws of one sphere
+
+def hard_sphere(V, w, n, r, e, f):
+    """Page of the source in vectors; independent of the code under test."""
+    V, w, n = (np.asarray(x, float) for x in (V, w, n))
+    vn = V @ n
+    slip = V - vn*n + np.cross(w, -r*n)
+    slip -= (slip @ n)*n
+    s = np.linalg.norm(slip)
+    Jn = -(1 + e)*vn
+    Jt = -f*Jn*slip/s if f*Jn < 2/7*s else -2/7*slip
+    return V + Jn*n + Jt, w + 2.5/r**2*np.cross(-r*n, Jt)
+
+
+def falcon(v, e0, v0):
+    return 1 - (1 - e0)*(v/v0)**0.2 if v <= v0 else e0*(v/v0)**-0.25
+
+
+def check_hard_sphere():
+    d, e, f = 30e-6, 0.7, 0.2
+    r = d/2
+    I = 0.1*2500*math.pi/6*d**3*d*d
+    angles = (1, 10, 30, 50, 80)
+    # Down to the plate, up to the lid, down again: with spin
+    case = new("sphere")
+    write_plate(case, "hardSphereWall",
+                patches(f'"yM.*" {{ restitution {e}; friction {f}; }}',
+                        '"[xz]M.*" { type escape; }'),
+                [injector((0.3 + 0.01*i, 0.005, 0.1),
+                          (0.3 + 0.01*i, 0.005, 0.1), 1,
+                          direction(a), d) for i, a in enumerate(angles)],
+                lengths=(1, 0.01, 0.2), end=2e-3)
+    mesh(case)
+    log = solve(case)
+    ids, U, L = parcels(case, "0.002", "U", "angularMomentum")
+    worst, impacts, slides = 0, 0, 0
+    for a, u, spin in zip(angles, U, L/I):
+        V, w, y, t = np.array(direction(a)), np.zeros(3), 0.005, 2e-3
+        while True:
+            need = (0.01 - y if V[1] > 0 else -y)/V[1]
+            if need > t:
+                break
+            n = (0, -1, 0) if V[1] > 0 else (0, 1, 0)
+            before = V
+            V, w = hard_sphere(V, w, n, r, e, f)
+            slides += abs(V[0] + r*w[2]*n[1]) > 1e-6
+            y, t, impacts = 0.01 if before[1] > 0 else 0, t - need, impacts + 1
+        worst = max(worst, np.abs(u - V).max(), r*np.abs(spin - w).max())
+    verdict("hardSphere_bounces", worst < 1e-10,
+            f"{impacts} impacts of 5 parcels, largest difference {worst:.1e}")
+    c, lid = counters(log), counters(log, "yMax")
+    verdict("hardSphere_counters",
+            c["hits"][0] + lid["hits"][0] == impacts
+            and c["sliding impacts"][0] + lid["sliding impacts"][0] == slides,
+            f"{c['hits'][0]:.0f} + {lid['hits'][0]:.0f} hits of {impacts},"
+            f" {slides} slide")
+    m = 2500*math.pi/6*d**3
+    lost = (len(angles)*m*SPEED**2/2
+            - (m*(U**2).sum()/2 + I*((L/I)**2).sum()/2))
+    told = sum(c["energy lost (transl., rot.)"]
+               + lid["energy lost (transl., rot.)"])
+    verdict("hardSphere_energy", abs(told/lost - 1) < 1e-12,
+            f"lost {lost:.6e} J, reported {told:.6e} J")
+
+    # A moving plate, restitution that depends on speed
+    case = new("moving")
+    Uw = (30.0, 0.0, -20.0)
+    write_plate(case, "hardSphereWall",
+                patches("yMin { restitutionModel McNamaraFalcon; restitution"
+                        " 0.7; restitutionSpeed 0.3; friction 0.2; }", LID),
+                [beam(20, 3, d)], wall_velocity=Uw)
+    mesh(case)
+    solve(case)
+    U = parcels(case, "0.0004", "U")[1]
+    V0 = np.array(direction(20))
+    V = hard_sphere(V0 - Uw, np.zeros(3), (0, 1, 0), r,
+                    falcon(-V0[1], 0.7, 0.3), 0.2)[0] + Uw
+    verdict("hardSphere_movingWall", np.abs(U - V).max() < 1e-11,
+            f"largest difference {np.abs(U - V).max():.1e}")
+
+
+def check_semi_empirical():
+    d = 30e-6
+    r = d/2
+    table = ("{ type table; angles (5 30 90); speeds (100 300);"
+             " values ((0.95 0.9) (0.8 0.75) (0.7 0.6)); }")
+    eT = "{ type polynomial; coefficients (0.9 -0.3 0.05); }"
+    angles = (3, 10, 24, 26, 60, 90)
+    case = new("empirical")
+    write_plate(case, "semiEmpiricalRebound",
+                patches(f"yMin {{ normal {table}; tangential {eT};"
+                        " criticalAngle 25; }".replace("};", "}"), LID),
+                [injector((0.4, 0.005, 0.08 + 0.01*i),
+                          (0.4, 0.005, 0.08 + 0.01*i), 1, direction(a), d)
+                 for i, a in enumerate(angles)], end=6e-4)
+    mesh(case)
+    log = solve(case)
+    U, L = parcels(case, "0.0006", "U", "angularMomentum")[1:]
+    I = 0.1*2500*math.pi/6*d**3*d*d
+    worst = 0
+    for a, u, w in zip(angles, U, L/I):
+        beta = math.radians(a)
+        eN = [np.interp(a, (5, 30, 90), row)
+              for row in ((0.95, 0.8, 0.7), (0.9, 0.75, 0.6))]
+        eN = (eN[0] + eN[1])/2
+        et = 0.9 - 0.3*beta + 0.05*beta**2
+        vx, vy = SPEED*math.cos(beta), SPEED*math.sin(beta)
+        spin = 2.5/r*(et - 1)*vx if a < 25 else -et*vx/r
+        worst = max(worst, abs(u[0] - et*vx), abs(u[1] - eN*vy),
+                    r*abs(w[2] - spin))
+    c = counters(log)
+    verdict("semiEmpirical_formulae", worst < 1e-10,
+            f"6 angles, largest difference {worst:.1e}")
+    verdict("semiEmpirical_counters",
+            c["hits"] == [6] and c["rolling impacts"] == [3]
+            and c["outside of coefficients"] == [1], str(c))
+
+
+# --------------------------------------------------------- non-spherical ones
+
+def indicatrix(name, wall, incidences, n, table=0):
+    case = new(name)
+    write_foam(case, "system/scatteringIndicatrixDict", f"""
+{BOX} {wall} {LAW}
+incidence ({' '.join(map(str, incidences))}); speed 50; nParticles {n};
+seed 7; {f'tableSamples {table};' if table else ''}""")
+    must(case, "scatteringIndicatrix", "-noPlot",
+         *(["-table"] if table else []))
+    out = {}
+    for a in incidences:
+        folder = "postProcessing/scatteringIndicatrix"
+        if len(incidences) > 1:
+            folder += f"/incidence_{a}"
+        F = np.loadtxt(f"{case}/{folder}/F.csv", delimiter=",", skiprows=1)
+        out[a] = F[:, 1]*math.radians(1)*n     # counts by degree
+    return out
+
+
+def excess(a, na, b, nb, width=4):
+    """Chi squared of two histograms of alpha2 by degree, less its degrees of
+    freedom, over its standard deviation."""
+    a, b = (x.reshape(-1, width).sum(1) for x in (a, b))
+    both = a + b
+    use = both > 30
+    x = (a*nb - b*na)[use]
+    chi2 = (x**2/(na*nb*both[use])).sum()
+    return (chi2 - use.sum())/math.sqrt(2*use.sum())
+
+
+def by_degree(U):
+    alpha = np.degrees(np.arctan2(U[:, 1], U[:, 0]))
+    return np.histogram(alpha, bins=180, range=(0, 180))[0].astype(float)
+
+
+def fly(name, settings, incidence, n, **more):
+    case = new(name)
+    write_plate(case, "nonSphericalRebound",
+                patches(f"yMin {{ {settings} }}", LID),
+                [beam(incidence, n)], **more)
+    mesh(case)
+    log = solve(case)
+    return parcels(case, "0.0004", "U"), counters(log)
+
+
+def check_indicatrices(n):
+    samples = 100000
+    reference = indicatrix("utility", ROUGH, (15, 18, 21), 4*n, samples)
+    shutil.copy("utility/postProcessing/scatteringIndicatrix/"
+                "responseTable.csv", "table.csv")
+    table = (f'method tabulated; table "{os.path.abspath("table.csv")}";'
+             " incidenceRange (15 21);")
+    for name, settings, incidence in (
+            ("direct", "method direct;", 15),
+            ("direct", "method direct;", 18),
+            ("tabulated", table, 15), ("tabulated", table, 18)):
+        (ids, U), c = fly("beam", f"{BOX} {ROUGH} {LAW} {settings}",
+                          incidence, n)
+        # The table is a sample itself
+        weight = n if name == "direct" else 1/(1/n + 1/samples)
+        counts = by_degree(U)
+        x = excess(counts*weight/n, weight, reference[incidence], 4*n)
+        verdict(f"indicatrix_rough_{name}_{incidence}",
+                x < 5 and len(U) == n and c["hits"][0] >= n,
+                f"{len(U)} parcels, chi squared {x:.1f} deviations above its"
+                " mean")
+        speeds = np.linalg.norm(U, axis=1)
+        verdict(f"indicatrix_speed_{name}_{incidence}",
+                0.3*SPEED < speeds.mean() < 0.8*SPEED
+                and abs(U[:, 2].mean()) < 5*U[:, 2].std()/n**0.5,
+                f"mean speed {speeds.mean():.1f} m/s, mean Uz"
+                f" {U[:, 2].mean():.2f} m/s")
+    (ids, U), c = fly("beam", f"{BOX} {ROUGH} {LAW}", 25, n)
+    x = excess(by_degree(U), n, reference[15], 4*n)
+    verdict("indicatrix_hasPower", x > 10,
+            f"25 deg against 15 deg: {x:.1f} deviations")
+
+    smooth = "wall { type smooth; }"
+    reference = indicatrix("utilitySmooth", smooth, (15,), 4*n)
+    (ids, U), c = fly("beam", f"{BOX} {smooth} {LAW}", 15, n)
+    x = excess(by_degree(U), n, reference[15], 4*n)
+    verdict("indicatrix_smooth", x < 5,
+            f"chi squared {x:.1f} deviations above its mean")
+
+    # Parcels of half the size on relief half as coarse are the same
+    half = ("wall { type rough; meanSpacing 40e-6; sigmaSpacing 5e-6;"
+            " sigmaHeight 10e-6; }")
+    case = new("half")
+    write_plate(case, "nonSphericalRebound",
+                patches(f"yMin {{ {BOX} {half} {LAW} }}", LID),
+                [beam(15, 2000, BOX_D/2)])
+    mesh(case)
+    solve(case)
+    small = parcels(case, "0.0004", "U")[1]
+    full = fly("beam", f"{BOX} {ROUGH} {LAW}", 15, 2000)[0][1]
+    same = (np.abs(small - full).max(1) < 1e-4).mean()
+    verdict("sizeScales", same > 0.98, f"{100*same:.1f} % the same")
+
+
+def check_lay():
+    """Crests along the motion leave a sphere on average in its plane of
+    incidence and slow it along that by the smooth law; across they do not."""
+    sphere = "shape { type sphere; diameter 3e-5; }"
+    n = 20000
+    mean = {}
+    for lay in ("acrossMotion", "fixed; layDirection (1 0 0)",
+                "fixed; layDirection (0 0 1)", "acrossFlow"):
+        U = fly("beam", f"{sphere} {ROUGH} {LAW} lay {lay};", 15, n)[0][1]
+        mean[lay] = U
+    along = mean["fixed; layDirection (1 0 0)"]
+    # Motion along the crests: nothing pushes along them but friction, which
+    # for a_t = 0 stops the contact: 5/7 of the speed
+    verdict("lay_along", np.abs(along[:, 0] - 5/7*direction(15)[0]).min()
+            < 1e-9 and along[:, 0].mean() > 0.6*SPEED,
+            f"mean Ux {along[:, 0].mean():.1f} m/s")
+    x = excess(by_degree(mean["acrossMotion"]), n,
+               by_degree(mean["fixed; layDirection (0 0 1)"]), n)
+    verdict("lay_across", x < 5,
+            f"crests across, fixed against acrossMotion: {x:.1f} deviations")
+    same = np.array_equal(mean["acrossFlow"], mean["acrossMotion"])
+    verdict("lay_flowAtRest", same, "gas at rest: as acrossMotion")
+
+
+# -------------------------------------------------- ranks, restarts, counters
+
+ALL_WALLS = '"[xyz]M.*"'
+NON_SPHERICAL = f"{BOX} {ROUGH} {LAW}"
+
+
+def closed(name, model, settings, velocity=(150, -80, 60), **more):
+    """Parcels in a closed box, several impacts each."""
+    case = new(name)
+    sides = {side + end: "wall" for side in "xyz" for end in ("Min", "Max")}
+    options = dict(end=2e-3, step=1e-4, write=10, lengths=(0.1, 0.1, 0.1),
+                   cells=(6, 5, 4), sides=sides)
+    options.update(more)
+    write_plate(case, model, settings,
+                [injector((0.02, 0.03, 0.04), (0.07, 0.08, 0.06), 400,
+                          velocity, BOX_D)], **options)
+    mesh(case)
+    return case
+
+
+def check_ranks():
+    for model, settings in (
+            ("nonSphericalRebound", NON_SPHERICAL),
+            ("hardSphereWall", "restitution 0.8; friction 0.3;")):
+        whole = closed("straight", model,
+                       patches(f"{ALL_WALLS} {{ {settings} }}"))
+        log = solve(whole)
+        reference = parcels(whole, "0.002", "U", "angularMomentum")
+        hits = sum(counters(log, side)["hits"][0] for side in
+                   ("xMin", "xMax", "yMin", "yMax", "zMin", "zMax"))
+
+        ranks = copy_case("straight", new("ranks") + "/case")
+        for time in times_of(ranks):
+            if time != "0":
+                shutil.rmtree(f"{ranks}/{time}")
+        decompose(ranks)
+        log2 = solve(ranks, 2)
+        got = parcels(ranks, "0.002", "U", "angularMomentum")
+        same = [np.array_equal(a, b) for a, b in zip(reference, got)]
+        verdict(f"ranks_{model}", all(same) and hits > 1000,
+                f"{hits:.0f} impacts; identities, U, spin the same: {same}")
+        a, b = counters(log), counters(log2)
+        verdict(f"ranks_counters_{model}",
+                all(np.allclose(a[k], b[k], rtol=1e-12) for k in a), str(b))
+
+        half = closed("halfway", model,
+                      patches(f"{ALL_WALLS} {{ {settings} }}"), end=1e-3)
+        solve(half)
+        edit(half, "system/controlDict", "endTime 0.001", "endTime 0.002")
+        log3 = solve(half)
+        got = parcels(half, "0.002", "U", "angularMomentum")
+        same = [np.array_equal(a, b) for a, b in zip(reference, got)]
+        verdict(f"restart_{model}", all(same),
+                f"identities, U, spin bit by bit: {same}")
+        c = counters(log3)
+        verdict(f"restart_counters_{model}",
+                all(np.allclose(a[k], c[k], rtol=1e-12) for k in a), str(c))
+
+
+def check_fates():
+    case = closed("fates", "hardSphereWall", patches(
+        "zMax { type capture; }", '"yM.*" { restitution 0.5; friction 0; }',
+        "xMax { type escape; }",
+        '"(xMin|zMin)" { restitution 1; friction 0; }'), end=9e-4, write=9,
+        velocity=(70, -80, 60))
+    log = solve(case)
+    left = parcels(case, "0.0009", "U")[0]
+    c, e = counters(log, "zMax"), counters(log, "xMax")
+    n = c["captured (number, mass)"]
+    x = e["escaped (number, mass)"]
+    m = 2500*math.pi/6*BOX_D**3
+    verdict("fates_sum", n[0] + x[0] + len(left) == 400 and n[0] > 0
+            and x[0] > 0 and c["hits"][0] == n[0]
+            and abs(n[1] + x[1] - m*(n[0] + x[0])) < 1e-12*m*400,
+            f"400 = {n[0]:.0f} captured + {x[0]:.0f} escaped + {len(left)}")
+
+    # The same with the settings spread over members of multiInteraction
+    case = closed("multi", "multiInteraction", """
+oneInteractionOnly true;
+first { patchInteractionModel hardSphereWall; hardSphereWallCoeffs {
+    patches ( zMax { type capture; } "yM.*" { restitution 0.5; friction 0; }
+    xMax { type escape; } ); } }
+second { patchInteractionModel localInteraction; localInteractionCoeffs {
+    patches ( ".*" { type rebound; e 1; mu 0; } ); } }""", end=5e-4, write=1,
+        velocity=(70, -80, 60))
+    solve(case)
+    edit(case, "system/controlDict", "endTime 0.0005", "endTime 0.0009")
+    log2 = solve(case)
+    ids, U = parcels(case, "0.0009", "U")
+    U0 = parcels("fates", "0.0009", "U")[1]
+    same = np.array_equal(ids, left) and np.allclose(U, U0, atol=1e-10)
+    told = all(np.allclose(a[k], b[k], rtol=1e-12)
+               for a, b in ((c, counters(log2, "zMax")),
+                            (e, counters(log2, "xMax"))) for k in a)
+    verdict("multiInteraction", same and told,
+            f"the same parcels {same}, the same counters after a restart"
+            f" {told}")
+
+
+def check_plane():
+    """In a plane case the velocity across it is taken off, or the speed is
+    kept; the direction in the plane is that of the law."""
+    sides = {"xMin": "patch", "xMax": "patch", "yMin": "wall",
+             "yMax": "patch"}
+    at = injector((0.4, 0.005, 0.1), (0.4, 0.005, 0.1), 1, direction(15),
+                  BOX_D)
+    settings = patches(f"yMin {{ {NON_SPHERICAL} }}",
+                       "yMax { type escape; }", '"xM.*" { type escape; }')
+    flat = {}
+    n = 2000
+    line = injector((0.35, 0.005, 0.1), (0.4, 0.005, 0.1), n, direction(15),
+                    BOX_D)
+    for name, more in (("project", ""),
+                       ("keepSpeed", "reducedDimensions keepSpeed;")):
+        case = new("plane")
+        write_plate(case, "nonSphericalRebound", settings + more, [line],
+                    sides=sides, cells=(2, 2, 1))
+        mesh(case)
+        flat[name] = (parcels(case, "0.0004", "U")[1] if solve(case) else at)
+    case = new("space")
+    write_plate(case, "nonSphericalRebound",
+                patches(f"yMin {{ {NON_SPHERICAL} }}", LID), [line])
+    mesh(case)
+    solve(case)
+    space = parcels(case, "0.0004", "U")[1]
+    a, b = flat["project"], flat["keepSpeed"]
+    verdict("plane_project", np.abs(a[:, 2]).max() == 0
+            and np.abs(a[:, :2] - space[:, :2]).max() < 1e-9,
+            "Ux, Uy of the case in space, Uz zero")
+    verdict("plane_keepSpeed", np.abs(b[:, 2]).max() == 0 and np.allclose(
+        np.linalg.norm(b, axis=1), np.linalg.norm(space, axis=1), rtol=1e-12)
+        and np.abs(np.cross(a[:, :2], b[:, :2])).max() < 1e-8,
+        "speed of the case in space, direction as projected")
+
+
+def check_sliding():
+    """Without restitution parcels slide in the planes of the walls, where the
+    stock tracker may not end."""
+    case = closed("sliding", "hardSphereWall",
+                  patches(f"{ALL_WALLS} {{ restitution 0; friction 0.2; }}"))
+    status, log = run(case, "timeout", "200", SOLVER)
+    U = parcels(case, "0.002", "U")[1] if status == 0 else np.zeros((0, 3))
+    verdict("slidingParcels", status == 0 and len(U) == 400
+            and np.isfinite(U).all(), f"exit status {status}")
+
+
+# ------------------------------------------------------------------ bad input
+
+def check_bad_input():
+    good_sphere = "yMin { restitution 0.7; friction 0.2; }"
+    lid = LID
+    table = os.path.abspath("table.csv")
+    tab = (f'{NON_SPHERICAL} method tabulated; table "{table}";'
+           " incidenceRange (15 21);")
+    H, S, N = ("hardSphereWall", "semiEmpiricalRebound",
+               "nonSphericalRebound")
+
+    def ns(text):
+        return patches(f"yMin {{ {text} }}", lid)
+
+    def se(**change):
+        values = dict(normal="0.8", tangential="0.7", criticalAngle="25")
+        values.update(change)
+        return patches("yMin { " + " ".join(
+            f"{k} {v}" + ("" if v.endswith("}") else ";")
+            for k, v in values.items()) + " }", lid)
+
+    rows = [
+        ("restitution", H, patches("yMin { restitution 1.2; friction 0.2; }",
+                                   lid), ["restitution 1.2", "[0, 1]"]),
+        ("friction", H, patches("yMin { restitution 1; friction -0.2; }",
+                                lid), ["friction -0.2", "[0, 1e6]"]),
+        ("missing", H, patches("yMin { restitution 1; }", lid),
+         ["friction"]),
+        ("speed", H, patches("yMin { restitutionModel McNamaraFalcon;"
+                             " restitution 1; restitutionSpeed 0;"
+                             " friction 0; }", lid),
+         ["restitutionSpeed 0", "(0, inf)"]),
+        ("model", H, patches("yMin { restitutionModel Falcon; restitution 1;"
+                             " friction 0; }", lid),
+         ["restitutionModel Falcon", "McNamaraFalcon"]),
+        ("fate", H, patches("yMin { type stick; }", lid),
+         ["type stick", "capture"]),
+        ("name", H, patches(good_sphere, lid, "plate { type escape; }"),
+         ["plate", "yMin"]),
+        ("empty", H, "patches ();", ["patches", "at least one"]),
+        ("overlap", H, patches(good_sphere, lid, '"y.*" { type escape; }'),
+         ["yMin", "twice"]),
+        ("unlisted", H, patches(good_sphere, "yMax { type escape; }"),
+         ["lacks", "xMin", "zMax", "multiInteraction"]),
+        ("reduced", H, patches(good_sphere, lid)
+         + " reducedDimensions none;", ["reducedDimensions none",
+                                        "keepSpeed"]),
+        ("twoModels", "multiInteraction", "oneInteractionOnly true; a {"
+         " patchInteractionModel hardSphereWall; hardSphereWallCoeffs { "
+         + patches(good_sphere) + " } } b { patchInteractionModel"
+         " semiEmpiricalRebound; semiEmpiricalReboundCoeffs { "
+         + patches("yMin { type capture; }") + " } }",
+         ["yMin", "another model", "hardSphereWall"]),
+        ("eN", S, se(normal="1.5"), ["normal 1.5", "[0, 1]"]),
+        ("fit", S, se(tangential="corundumOnSteel"),
+         ["tangential corundumOnSteel"]),
+        ("grid", S, se(normal="{ type table; angles (10 5);"
+                              " values (0.5 0.6); }"), ["must increase"]),
+        ("polynomial", S, se(normal="{ type polynomial; coefficients"
+                                    " (0.9 -2); }"),
+         ["normal of the polynomial", "[0, 1]"]),
+        ("critical", S, se(criticalAngle="91"), ["criticalAngle 91",
+                                                 "[0, 90]"]),
+        ("shape", N, ns(f"shape {{ type cone; }} {ROUGH} {LAW}"),
+         ["shape type cone", "truncatedBox"]),
+        ("shapeSize", N, ns("shape { type box; size (1e-5 0 1e-5); }"
+                            f" {ROUGH} {LAW}"), ["size", "0"]),
+        ("relief", N, ns(f"{BOX} {LAW} wall {{ type rough; meanSpacing"
+                         " 80e-6; sigmaSpacing 30e-6; sigmaHeight 1e-6; }"),
+         ["sigmaSpacing 3e-05", "meanSpacing/3"]),
+        ("law", N, ns(f"{BOX} {ROUGH} law {{ type restitution;"
+                      " normal 2; }"), ["normal 2", "[0, 1]"]),
+        ("maxImpacts", N, ns(f"{NON_SPHERICAL} maxImpacts 0;"),
+         ["maxImpacts 0", "> 0"]),
+        ("seed", N, patches(f"yMin {{ {NON_SPHERICAL} }}", lid)
+         + " seed -1;", ["seed -1", "0 to 9e15"]),
+        ("lay", N, ns(f"{NON_SPHERICAL} lay along;"),
+         ["lay along", "acrossMotion"]),
+        ("layDirection", N, ns(f"{NON_SPHERICAL} lay fixed;"
+                               " layDirection (0 0 0);"),
+         ["layDirection", "zero"]),
+        ("method", N, ns(f"{NON_SPHERICAL} method sampled;"),
+         ["method sampled", "tabulated"]),
+        ("tableFile", N, ns(tab.replace(table, "/nowhere.csv")),
+         ["/nowhere.csv", "cannot be read"]),
+        ("tableShape", N, ns(tab.replace("32e-6", "30e-6")), ["shape"]),
+        ("tableLaw", N, ns(tab.replace("normal 0.8", "normal 0.7")),
+         ["law restitution 0.8 0", "law restitution 0.7 0"]),
+        ("tableRelief", N, ns(tab.replace("sigmaHeight 20e-6",
+                                          "sigmaHeight 10e-6")),
+         ["wall rough", "2e-05", "1e-05"]),
+        ("tableSize", N, ns(tab.replace("32e-6 25.6e-6 25.6e-6",
+                                        "64e-6 51.2e-6 51.2e-6")), ["size"]),
+        ("tableRange", N, ns(tab.replace("(15 21)", "(5 21)")),
+         ["15 to 21", "5 to 21"]),
+        ("tableLay", N, ns(tab + " lay fixed; layDirection (0 0 1);"),
+         ["lay fixed", "direct"]),
+        ("tableOrientation", N, ns(tab + " orientation uniformEuler;"),
+         ["orientation"]),
+    ]
+    for name, model, coeffs, words in rows:
+        case = new("bad")
+        write_plate(case, model, coeffs, [beam(18, 2)])
+        mesh(case)
+        status, text = run(case, SOLVER)
+        said = complaint(text)
+        missing = [w for w in ["FOAM FATAL IO ERROR", *words]
+                   if w not in text]
+        verdict(f"refuses_{name}", status and not missing
+                and "\nTime = " not in text,
+                f"lacks {missing} in: {said}" if missing else words[0])
+
+    # A parcel of another size is met during the run only
+    case = new("bad")
+    write_plate(case, N, ns(tab), [beam(18, 2, 1.1*BOX_D)])
+    mesh(case)
+    status, text = run(case, SOLVER)
+    verdict("refuses_parcelSize", status and "diameterTolerance" in text,
+            complaint(text))
+
+    case = new("coarse")
+    at = (0.4, 0.005, 5e-5)
+    write_plate(case, N, ns(NON_SPHERICAL),
+                [injector(at, at, 1, direction(18), BOX_D)],
+                cells=(10000, 1, 1), lengths=(1, 0.1, 1e-4))
+    mesh(case)
+    status, text = run(case, SOLVER)
+    verdict("warnsOfCoarseRelief", text.count("mean pitch of the relief") == 1
+            and "0.00016" in text, "one warning with the numbers")
+
+
+def main():
+    n = int(sys.argv[1]) if len(sys.argv) > 1 else 100000
+    check_hard_sphere()
+    check_semi_empirical()
+    check_indicatrices(n)
+    check_lay()
+    check_ranks()
+    check_fates()
+    check_plane()
+    check_sliding()
+    check_bad_input()
+
+
+main()
