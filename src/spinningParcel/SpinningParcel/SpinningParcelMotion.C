@@ -151,6 +151,7 @@ bool Foam::SpinningParcel<ParcelType>::moveEmbedded
     const label kept = 24;
     label left = maxForces;
     label stalls = 0;
+    label hits = 0;
     scalar hTry = GREAT;
 
     // Sub-steps that end with the tetrahedron from the start, after a cut
@@ -257,7 +258,12 @@ bool Foam::SpinningParcel<ParcelType>::moveEmbedded
                         {
                             // The path turns back: follow its first part
                             again = true;
-                            hMax = 0.25*o.h;
+                            hMax = min
+                            (
+                                0.25*o.h,
+                                magSqr(U0)
+                               /max(mag(U0 & fromCore(o.a)), ROOTVSMALL)
+                            );
                             break;
                         }
 
@@ -393,11 +399,14 @@ bool Foam::SpinningParcel<ParcelType>::moveEmbedded
             }
 
             // A parcel pressed against a wall, or on an edge, may hit again
-            // and again in no time: then time passes where it is
+            // and again in next to no time: then a tenth of the step passes
+            // where it is
             stalls = t < 1e-9*trackTime ? stalls + 1 : 0;
-            if (stalls > 20)
+            hits += p.onBoundaryFace();
+            if (stalls > 20 || hits > 50)
             {
                 stalls = 0;
+                hits = 0;
                 const scalar pause =
                     min((1 - p.stepFraction())*trackTime, 0.1*trackTime);
                 force.place(p);
@@ -440,7 +449,12 @@ bool Foam::SpinningParcel<ParcelType>::moveEmbedded
         if (p.active() && p.onFace() && ttd.keepParticle)
         {
             p.hitFace(s, cloud, ttd);
+
+            // Nothing is carried from cell to cell, so that a face between
+            // two ranks is like any other
             left = maxForces;
+            hTry = GREAT;
+            byTetrahedra = false;
         }
     }
 
