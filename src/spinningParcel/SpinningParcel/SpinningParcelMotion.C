@@ -77,6 +77,50 @@ Foam::scalar Foam::SpinningParcel<ParcelType>::curvedPath::timeAt
 
 
 template<class ParcelType>
+Foam::scalar Foam::SpinningParcel<ParcelType>::continuationError
+(
+    const impact::gasState& there,
+    const impact::gasState& thought,
+    const impact::gasState& begin,
+    const impact::motionState& state,
+    const impact::particleMotion::outcome& o,
+    const scalar t
+)
+{
+    const scalar material =
+        mag(there.rho/thought.rho - 1)
+      + mag(there.mu/thought.mu - 1)
+      + mag(there.T/thought.T - 1);
+
+    const auto part =
+        [t, material]
+        (
+            const scalar k,
+            const impact::vector3& difference,
+            const impact::vector3& slip,
+            const scalar scale
+        )
+        {
+            return
+                min(scalar(1), 0.5*k*t)
+               *(impact::mag(difference) + material*impact::mag(slip))/scale;
+        };
+
+    return max
+    (
+        part(o.k, there.u - thought.u, begin.u - state.v, o.vScale),
+        part
+        (
+            o.kSpin,
+            there.spin - thought.spin,
+            begin.spin - state.omega,
+            o.spinScale
+        )
+    );
+}
+
+
+template<class ParcelType>
 template<class TrackCloudType, class Force>
 bool Foam::SpinningParcel<ParcelType>::moveEmbedded
 (
@@ -101,34 +145,47 @@ bool Foam::SpinningParcel<ParcelType>::moveEmbedded
     const polyMesh& mesh = p.mesh();
     const bool reduced = mesh.nSolutionD() != 3;
 
-    // Three evaluations are kept for the crossing of a face
-    const label allowance = maxForces - 4;
-    label left = allowance;
+    // A part of the evaluations is kept for exponential steps without error
+    // control, three each, with which a parcel can still stop at the
+    // tetrahedra
+    const label kept = 24;
+    label left = maxForces;
     label stalls = 0;
+    label hits = 0;
     scalar hTry = GREAT;
+
+    // Sub-steps that end with the tetrahedron from the start, after a cut
+    bool byTetrahedra = false;
 
     force.parcel(p, ttd);
 
     while (ttd.keepParticle && !ttd.switchProcessor && p.stepFraction() < 1)
     {
-        const point start = p.position();
         const scalar begin = p.stepFraction();
         scalar t = (1 - begin)*trackTime;
         vector s(Zero);
+
+        force.place(p);
+        const point start = force.tet().start();
 
         if (p.active())
         {
             const place from(p);
             const vector U0 = p.U();
             const vector omega0 = omega_;
-            const vector deviation = p.deviationFromMeshCentre();
+            vector deviation(Zero);
+            if (reduced)
+            {
+                point centre = start;
+                meshTools::constrainToMeshCentre(mesh, centre);
+                deviation = start - centre;
+            }
             const impact::motionState state
             {
                 {0, 0, 0},
                 toCore(U0),
                 toCore(omega0)
             };
-            force.place(p);
             const impact::gasState& gas = force.here();
             const scalar gasSpeed = mag(fromCore(gas.u));
             const scalar gasSpin = mag(fromCore(gas.spin));
@@ -140,9 +197,19 @@ bool Foam::SpinningParcel<ParcelType>::moveEmbedded
                 1.5*cloud.cellLengthScale()[p.cell()]
                /max(max(mag(U0), gasSpeed), ROOTVSMALL)
             );
-            vector U1, omega1;
-            while (true)
+            if (byTetrahedra || left < kept + 7)
             {
+                hMax *= min
+                (
+                    scalar(1),
+                    1.02*force.tet().exit(toCore(hMax*U0)) + 1e-3
+                );
+            }
+            vector U1, omega1;
+            bool again = true;
+            while (again)
+            {
+                again = false;
                 const auto o = motion.step
                 (
                     force,
@@ -151,7 +218,7 @@ bool Foam::SpinningParcel<ParcelType>::moveEmbedded
                     gasSpin,
                     hMax,
                     hTry,
-                    max(left, label(3))
+                    max(left - kept, label(3))
                 );
                 force.done();
                 left -= o.nForce;
@@ -159,80 +226,131 @@ bool Foam::SpinningParcel<ParcelType>::moveEmbedded
                 hTry = o.hNext;
 
                 s = fromCore(o.state.x);
+                const curvedPath path{o.h*U0, s, o.h*fromCore(o.state.v)};
+                const scalar accuracy = tolerance*o.h*o.vScale;
+
+                // Part of the step that is taken, and where it leads
+                scalar tau = 1;
+                vector aim = s;
+                bool cut = true;
+                while (cut && !again)
+                {
+                    cut = false;
+
+                    // Track along the chord, and where that meets a face aim
+                    // at the point of the curved path at that time, until the
+                    // two agree
+                    for (label i = 0; ; ++i)
+                    {
+                        const scalar share =
+                            1
+                          - p.trackToFace(aim - deviation, tau*o.h/trackTime);
+
+                        if
+                        (
+                            !p.onFace()
+                         || magSqr(aim) < ROOTVSMALL*ROOTVSMALL
+                        )
+                        {
+                            break;
+                        }
+                        if ((U0 & aim) < 0 && left >= 9)
+                        {
+                            // The path turns back: follow its first part
+                            again = true;
+                            hMax = min
+                            (
+                                0.25*o.h,
+                                magSqr(U0)
+                               /max(mag(U0 & fromCore(o.a)), ROOTVSMALL)
+                            );
+                            break;
+                        }
+
+                        tau = path.timeAt(aim, share, tau);
+                        const vector there = path(tau);
+                        aim *= share;
+                        if (i == 4 || mag(there - aim) <= accuracy)
+                        {
+                            break;
+                        }
+                        aim = there;
+                        from.restore(p);
+                    }
+
+                    if
+                    (
+                        !again
+                     && left >= 9
+                     && (p.tetFace() != from.tetFace || p.tetPt() != from.tetPt)
+                    )
+                    {
+                        const impact::vector3 end = toCore(aim);
+                        const scalar error = continuationError
+                        (
+                            force.gas().at(p),
+                            force.tet()(end),
+                            gas,
+                            state,
+                            o,
+                            tau*o.h
+                        )/tolerance;
+                        byTetrahedra = error > (byTetrahedra ? 0.1 : 1);
+                        if (error > 1)
+                        {
+                            tau *=
+                                min
+                                (
+                                    max
+                                    (
+                                        0.9/sqrt(error),
+                                        1.02*force.tet().exit(end)
+                                    ),
+                                    0.8
+                                );
+                            aim = path(tau);
+                            cut = true;
+                            ++statistics.nCuts;
+                        }
+                    }
+
+                    if (cut || again)
+                    {
+                        from.restore(p);
+                    }
+                }
+
+                t = tau*o.h;
                 U1 = fromCore(o.state.v);
                 omega1 = fromCore(o.state.omega);
-                t = o.h;
-                impact::vector3 end = o.state.x;
-
-                // Track along the chord to the end of the path, and where
-                // that meets a face aim at the point of the curved path at
-                // that time, until the two agree
-                const curvedPath path{o.h*U0, s, o.h*U1};
-                const bool moves = magSqr(s) > ROOTVSMALL*ROOTVSMALL;
-                const scalar accuracy = tolerance*o.h*o.vScale;
-                vector aim = s;
-                scalar tau = 1;
-                bool back = false;
-                for (label i = 0; ; ++i)
+                if (tau < 1 && !again)
                 {
-                    const scalar share =
-                        1
-                      - p.trackToFace(aim - deviation, tau*o.h/trackTime);
-
-                    if (!p.onFace() || !moves)
-                    {
-                        break;
-                    }
-                    if ((U0 & aim) < 0 && left >= 10)
-                    {
-                        back = true;
-                        break;
-                    }
-
-                    tau = path.timeAt(aim, share, tau);
-                    const vector there = path(tau);
-                    aim *= share;
-                    if (i == 4 || mag(there - aim) <= accuracy)
-                    {
-                        break;
-                    }
-                    aim = there;
-                    from.restore(p);
-                }
-                if (back)
-                {
-                    // The path turns back: follow its first part
-                    from.restore(p);
-                    hMax = 0.25*o.h;
-                    continue;
-                }
-
-                if (tau < 1)
-                {
-                    t = tau*o.h;
-                    end = toCore(aim);
-
                     // Velocity and spin then: a parabola through both ends
                     // where that is accurate, another step where not
                     const vector a0 = o.h*fromCore(o.a);
                     const vector alpha0 = o.h*fromCore(o.alpha);
                     const vector dU = U1 - U0 - a0;
                     const vector dOmega = omega1 - omega0 - alpha0;
+                    U1 = U0 + tau*a0 + sqr(tau)*dU;
+                    omega1 = omega0 + tau*alpha0 + sqr(tau)*dOmega;
+
                     const scalar cubic = sqr(tau)*(1 - tau)/tolerance;
-                    const scalar missing = max
+                    const auto size =
+                        [](const vector& d, const vector& a)
+                        {
+                            const scalar magD = mag(d);
+                            const scalar magA = mag(a);
+                            return magD < magA ? magD*magD/magA : magD;
+                        };
+                    if
                     (
-                        cubic*mag(dU)
-                       *min(scalar(1), mag(dU)/(mag(a0) + ROOTVSMALL))/o.vScale,
-                        cubic*mag(dOmega)
-                       *min(scalar(1), mag(dOmega)/(mag(alpha0) + ROOTVSMALL))
-                       /o.spinScale
-                    );
-                    bool parabola = true;
-                    if (missing > 1)
+                        cubic*size(dU, a0) > o.vScale
+                     || cubic*size(dOmega, alpha0) > o.spinScale
+                    )
                     {
                         const place arrived(p);
                         from.restore(p);
-                        const auto again = motion.step
+                        const auto part = motion.step
                         (
                             force,
                             state,
@@ -240,79 +358,20 @@ bool Foam::SpinningParcel<ParcelType>::moveEmbedded
                             gasSpin,
                             t,
                             t,
-                            max(left, label(3))
+                            max(left - kept, label(3))
                         );
                         force.done();
                         arrived.restore(p);
-                        left -= again.nForce;
-                        statistics.nForces += again.nForce;
-                        if (again.h == t)
+                        left -= part.nForce;
+                        statistics.nForces += part.nForce;
+                        if (part.h == t)
                         {
-                            U1 = fromCore(again.state.v);
-                            omega1 = fromCore(again.state.omega);
-                            parabola = false;
+                            U1 = fromCore(part.state.v);
+                            omega1 = fromCore(part.state.omega);
                         }
                     }
-                    if (parabola)
-                    {
-                        U1 = U0 + tau*a0 + sqr(tau)*dU;
-                        omega1 = omega0 + tau*alpha0 + sqr(tau)*dOmega;
-                    }
                 }
-
-                if
-                (
-                    (p.tetFace() != from.tetFace || p.tetPt() != from.tetPt)
-                 && left >= 10
-                )
-                {
-                    // Gas in the tetrahedron of arrival against the
-                    // continuation, as the error that half the difference
-                    // over the whole time makes
-                    const impact::gasState there = force.gas().at(p);
-                    const impact::gasState thought = force.tet()(end);
-                    const scalar relaxed = min(scalar(1), 0.5*o.k*t);
-                    const scalar spinRelaxed = min(scalar(1), 0.5*o.kSpin*t);
-                    const scalar material =
-                        mag(there.rho/thought.rho - 1)
-                      + mag(there.mu/thought.mu - 1)
-                      + mag(there.T/thought.T - 1);
-                    const scalar slip = mag(fromCore(gas.u) - U0);
-                    const scalar spinSlip = mag(fromCore(gas.spin) - omega0);
-                    const scalar error = max
-                    (
-                        relaxed
-                       *(
-                            mag(fromCore(there.u - thought.u))
-                          + material*slip
-                        )/o.vScale,
-                        spinRelaxed
-                       *(
-                            mag(fromCore(there.spin - thought.spin))
-                          + material*spinSlip
-                        )/o.spinScale
-                    )/tolerance;
-
-                    if (error > 1)
-                    {
-                        from.restore(p);
-                        hMax =
-                            t*min
-                            (
-                                max
-                                (
-                                    0.9/sqrt(error),
-                                    1.02*force.tet().exit(end)
-                                ),
-                                0.8
-                            );
-                        ++statistics.nCuts;
-                        continue;
-                    }
-                }
-
                 statistics.nForced += o.forced;
-                break;
             }
 
             p.stepFraction() =
@@ -340,11 +399,14 @@ bool Foam::SpinningParcel<ParcelType>::moveEmbedded
             }
 
             // A parcel pressed against a wall, or on an edge, may hit again
-            // and again in no time: then time passes where it is
+            // and again in next to no time: then a tenth of the step passes
+            // where it is
             stalls = t < 1e-9*trackTime ? stalls + 1 : 0;
-            if (stalls > 20)
+            hits += p.onBoundaryFace();
+            if (stalls > 20 || hits > 50)
             {
                 stalls = 0;
+                hits = 0;
                 const scalar pause =
                     min((1 - p.stepFraction())*trackTime, 0.1*trackTime);
                 force.place(p);
@@ -387,7 +449,12 @@ bool Foam::SpinningParcel<ParcelType>::moveEmbedded
         if (p.active() && p.onFace() && ttd.keepParticle)
         {
             p.hitFace(s, cloud, ttd);
-            left = allowance;
+
+            // Nothing is carried from cell to cell, so that a face between
+            // two ranks is like any other
+            left = maxForces;
+            hTry = GREAT;
+            byTetrahedra = false;
         }
     }
 

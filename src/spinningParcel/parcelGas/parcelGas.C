@@ -156,6 +156,7 @@ void Foam::parcelGas::tetField::set(const parcelGas& gas, const particle& p)
     const vector b = mesh.points()[tri[0]] - centre;
     const vector c = mesh.points()[tri[1]] - centre;
     const vector d = mesh.points()[tri[2]] - centre;
+    start_ = centre + weights_[1]*b + weights_[2]*c + weights_[3]*d;
     const vector normals[3] = {c ^ d, d ^ b, b ^ c};
     const scalar volume = b & normals[0];
 

@@ -232,8 +232,8 @@ TEST(particleMotion, endsEarlyWhereThatIsEnough)
     const motionState s{{0, 0, 0}, {1, 0, 0}, {1, 0, 0}};
     const particleMotion motion(1e-5);
     EXPECT_EQ(motion.step(force, s, 0, 0, 1e-3, 1e-3, 50).nForce, 2);
-    EXPECT_EQ(motion.step(force, s, 0, 0, 0.02, 0.02, 50).nForce, 4);
-    EXPECT_EQ(motion.step(force, s, 0, 0, 0.1, 0.1, 50).nForce, 6);
+    EXPECT_EQ(motion.step(force, s, 0, 0, 0.03, 0.03, 50).nForce, 4);
+    EXPECT_EQ(motion.step(force, s, 0, 0, 0.2, 0.2, 50).nForce, 6);
 }
 
 

@@ -1,0 +1,650 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+
+Description
+    The spin-carrying cloud on a small channel: its motions against exact
+    solutions and each other, the account of momentum and energy, mirrors,
+    streams, extremes, refusal of bad input, the annotated dictionary.
+\*---------------------------------------------------------------------------*/
+
+#include "HendersonDragForce.H"
+#include "IFstream.H"
+#include "OFstream.H"
+#include "OSspecific.H"
+#include "Time.H"
+#include "basicSpinningCloud.H"
+#include "fluidThermo.H"
+#include "fvMesh.H"
+#include "parcelClouds.H"
+
+#include <gtest/gtest.h>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+
+using namespace Foam;
+
+namespace
+{
+
+const char* const embedded =
+    "solution{motion{type embeddedRK54;tolerance 1e-8;}}";
+
+//- The case of tests/cases/particles with one spinning cloud
+class spinningCloudTest
+:
+    public ::testing::Test
+{
+protected:
+
+    fileName root_;
+    autoPtr<Time> time_;
+    autoPtr<fvMesh> mesh_;
+    autoPtr<fluidThermo> thermo_;
+    autoPtr<volScalarField> rho_;
+    autoPtr<volVectorField> U_;
+    autoPtr<volScalarField> mu_;
+    dimensionedVector g_{"g", dimAcceleration, vector(0, 0, 0)};
+
+    void SetUp() override
+    {
+        std::string name
+        (
+            std::filesystem::temp_directory_path()/"parcelImpactXXXXXX"
+        );
+        ASSERT_TRUE(mkdtemp(&name[0]));
+        root_ = name;
+        const std::string command
+        (
+            "cp -r " + std::string(std::getenv("PARCEL_IMPACT_DIR"))
+          + "/tests/cases/particles/case/. " + root_ + "/case && cd " + root_
+          + "/case && cp -r 0.orig 0 && blockMesh > log.blockMesh 2>&1"
+        );
+        ASSERT_EQ(std::system(command.c_str()), 0);
+    }
+
+    void TearDown() override
+    {
+        mu_.clear();
+        U_.clear();
+        rho_.clear();
+        thermo_.clear();
+        mesh_.clear();
+        time_.clear();
+        rmDir(root_);
+    }
+
+    static dictionary parse(const std::string& text)
+    {
+        return dictionary(IStringStream(text)());
+    }
+
+    //- Mesh and gas, with the velocity (A0 + A1 x, B1 x, 0)
+    void open
+    (
+        const scalar A0 = 0,
+        const scalar A1 = 0,
+        const scalar B1 = 0,
+        const scalar deltaT = 1e-6
+    )
+    {
+        time_.reset(new Time(Time::controlDictName, root_, "case"));
+        time_->setDeltaT(deltaT);
+        mesh_.reset
+        (
+            new fvMesh
+            (
+                IOobject
+                (
+                    fvMesh::defaultRegion,
+                    time_->timeName(),
+                    time_(),
+                    IOobject::MUST_READ
+                )
+            )
+        );
+        thermo_.reset(fluidThermo::New(mesh_()).ptr());
+        rho_.reset
+        (
+            new volScalarField
+            (
+                IOobject("rho", time_->timeName(), mesh_()),
+                thermo_->rho()
+            )
+        );
+        mu_.reset
+        (
+            new volScalarField
+            (
+                IOobject("thermo:mu", time_->timeName(), mesh_()),
+                thermo_->mu()
+            )
+        );
+        U_.reset
+        (
+            new volVectorField
+            (
+                IOobject("U", time_->timeName(), mesh_()),
+                mesh_(),
+                dimensionedVector(dimVelocity, Zero),
+                "calculated"
+            )
+        );
+        const auto velocity =
+            [=](const vectorField& at)
+            {
+                vectorField u(at.size(), Zero);
+                forAll(at, i)
+                {
+                    u[i] = vector(A0 + A1*at[i].x(), B1*at[i].x(), 0);
+                }
+                return u;
+            };
+        U_->primitiveFieldRef() = velocity(mesh_->C());
+        forAll(U_->boundaryField(), patchi)
+        {
+            if (U_->boundaryField()[patchi].size())
+            {
+                U_->boundaryFieldRef()[patchi] ==
+                    velocity(mesh_->C().boundaryField()[patchi]);
+            }
+        }
+    }
+
+    //- The cloud, with changes merged into the dictionary
+    std::unique_ptr<basicSpinningCloud> make
+    (
+        const std::string& changes = "",
+        const word& name = "sand"
+    )
+    {
+        IFstream is(root_/"case/constant/kinematicCloudProperties");
+        dictionary dict(is);
+        dict.merge(parse("subModels{particleForces{magnus;}}"));
+        dict.merge(parse(changes));
+        {
+            OFstream os(root_/"case"/"constant"/(name + "Properties"));
+            os.precision(17);
+            os  << "FoamFile{version 2.0; format ascii; class dictionary;"
+                << " object " << name << "Properties;}" << nl;
+            dict.write(os, false);
+        }
+        return std::make_unique<basicSpinningCloud>
+        (
+            name, rho_(), U_(), mu_(), g_
+        );
+    }
+
+    void step(basicSpinningCloud& cloud, const label n = 1)
+    {
+        for (label i = 0; i < n; ++i)
+        {
+            (*time_)++;
+            cloud.evolve();
+        }
+    }
+
+    std::string refusal(const std::string& changes)
+    {
+        try
+        {
+            make(changes);
+        }
+        catch (const error& e)
+        {
+            return e.message();
+        }
+        return "none";
+    }
+
+    void expectRefusal
+    (
+        const std::string& changes,
+        std::initializer_list<const char*> words
+    )
+    {
+        const std::string message = refusal(changes);
+        for (const char* word : words)
+        {
+            EXPECT_NE(message.find(word), std::string::npos) << message;
+        }
+    }
+};
+
+
+std::string single(const char* d, const char* U0, const char* at = "(0.02 0.02 0)")
+{
+    return
+        "subModels{injectionModels{rake{start " + std::string(at)
+      + "; end " + at + "; nParcels 1; diameter " + d + "; U0 " + U0
+      + ";}}}";
+}
+
+} // End anonymous namespace
+
+
+TEST_F(spinningCloudTest, startsWithTheSpinOfTheDictionary)
+{
+    open();
+    const auto cloud = make
+    (
+        "constantProperties{omega0 (1 2 3e5);}"
+        "subModels{rotationalTorqueModel none;}"
+    );
+    step(*cloud);
+    ASSERT_EQ(cloud->size(), 7);
+    for (const auto& p : *cloud)
+    {
+        EXPECT_EQ(p.omega(), vector(1, 2, 3e5));
+        EXPECT_NEAR
+        (
+            p.momentOfInertia()/(0.4*p.mass()*sqr(0.5*p.d())),
+            1,
+            1e-14
+        );
+    }
+
+    const auto off = make
+    (
+        "solution{rotation off;}constantProperties{omega0 (1 2 3e5);}",
+        "off"
+    );
+    step(*off);
+    ASSERT_EQ(off->size(), 7);
+    EXPECT_EQ(off->first()->omega(), vector::zero);
+}
+
+
+TEST_F(spinningCloudTest, spinDecaysExactlyInBothMotions)
+{
+    open();
+    for (const char* motion : {"", embedded})
+    {
+        const auto cloud = make
+        (
+            motion + single("2e-5", "(0 0 0)")
+          + "constantProperties{omega0 (0 0 1e6);}",
+            *motion ? "embedded" : "stock"
+        );
+        step(*cloud, 20);
+        typedef impact::rotationalTorque law;
+        const scalar rho = rho_()[0], mu = mu_()[0];
+        const scalar expected =
+            1e6*law::remaining
+            (
+                law::ReOmega(2e-5, rho, mu, 1e6),
+                20e-6*law::scale(2e-5, 2500, mu)
+            );
+        EXPECT_NEAR(cloud->first()->omega().z()/expected, 1, 1e-7) << motion;
+        EXPECT_LT(expected, 0.999e6);
+    }
+}
+
+
+TEST_F(spinningCloudTest, coreAndListedForcesAgree)
+{
+    open(100, 2e4, 3e4);
+    g_ = dimensionedVector("g", dimAcceleration, vector(0, -1e5, 0));
+    const std::string common
+    (
+        embedded + single("2e-6", "(600 50 0)")
+      + "constantProperties{omega0 (0 0 1e6);}"
+        "subModels{particleForces{gravity;}}"
+    );
+    const auto core = make(common, "core");
+    // A force that is nowhere to be felt, but not of the core
+    const auto listed = make
+    (
+        common
+      + "subModels{particleForces{nonInertialFrame{}}}",
+        "listed"
+    );
+    for (int i = 0; i < 10; ++i)
+    {
+        (*time_)++;
+        core->evolve();
+        listed->evolve();
+        ASSERT_TRUE(core->coreForce());
+        ASSERT_TRUE(listed->listedForce());
+    }
+    const auto& p = *core->first();
+    const auto& q = *listed->first();
+    EXPECT_LT(mag(p.position() - q.position()), 1e-9*mag(p.U())*1e-5);
+    EXPECT_LT(mag(p.U() - q.U()), 1e-9*mag(p.U()));
+    EXPECT_LT(mag(p.omega() - q.omega()), 1e-9*mag(p.omega()));
+    EXPECT_GT(mag(p.U() - vector(600, 50, 0)), 1);
+}
+
+
+TEST_F(spinningCloudTest, errorFollowsTheToleranceInALinearField)
+{
+    // Interpolation is exact there: what is left is the motion
+    open(50, 2e4, 1e4);
+    const auto state =
+        [this](const char* tolerance, const label n, const word& name)
+        {
+            time_->setDeltaT(4e-5/n);
+            const auto cloud = make
+            (
+                single("3e-6", "(300 20 0)")
+              + "constantProperties{omega0 (0 0 1e5);}"
+                "solution{motion{type embeddedRK54;tolerance " + tolerance
+              + ";}}",
+                name
+            );
+            step(*cloud, n);
+            const auto& p = *cloud->first();
+            return std::make_pair(p.position(), p.U());
+        };
+    const auto truth = state("1e-12", 400, "truth");
+    const scalar way = mag(truth.first - vector(0.02, 0.02, 0.0005));
+    ASSERT_GT(way, 0.005);
+    scalar last = 1;
+    for (const char* tolerance : {"1e-3", "1e-5", "1e-7"})
+    {
+        const auto here = state(tolerance, 10, word("t") + tolerance);
+        const scalar error = max
+        (
+            mag(here.first - truth.first)/way,
+            mag(here.second - truth.second)/mag(truth.second)
+        );
+        EXPECT_LT(error, 30*std::atof(tolerance)) << tolerance;
+        EXPECT_LT(error, last);
+        last = error;
+    }
+}
+
+
+TEST_F(spinningCloudTest, aTinyGrainFollowsTheGas)
+{
+    // Time step of 1000 relaxation times; the gas speeds up along x
+    open(100, 500, 0, 0.1e-3);
+    const auto cloud = make
+    (
+        "solution{motion{type embeddedRK54;tolerance 1e-7;}}"
+      + single("1e-8", "(110 100 0)")
+      + "constantProperties{omega0 (1e9 0 1e9);}"
+    );
+    step(*cloud, 3);
+    const auto& p = *cloud->first();
+    const scalar x = p.position().x();
+    // dx/dt = 100 + 500 x
+    EXPECT_NEAR(x, (0.02 + 0.2)*std::exp(500*0.3e-3) - 0.2, 2e-6);
+    EXPECT_NEAR(p.U().x()/(100 + 500*x), 1, 1e-4);
+    EXPECT_NEAR(p.U().y(), 0, 1e-3);
+    EXPECT_LT(mag(p.omega()), 1);
+}
+
+
+TEST_F(spinningCloudTest, spendsAtMostItsForcesBetweenFaces)
+{
+    open(1000, -1e4, 3e4, 1e-3);
+    const auto cloud = make
+    (
+        "solution{motion{type embeddedRK54;tolerance 1e-13;}}"
+        "subModels{injectionModels{rake{nParcels 7; diameter 1e-7;}}}"
+        "constantProperties{omega0 (0 0 1e9);}"
+    );
+    step(*cloud);
+    const auto& s = cloud->statistics();
+    EXPECT_GT(s.nForced, 0);
+    EXPECT_GT(s.nSteps, 0);
+    // Each parcel crosses at most the 50 + 20 cells of a way through
+    EXPECT_LE(s.nForces, 7*basicSpinningCloud::parcelType::maxForces*150);
+}
+
+
+TEST_F(spinningCloudTest, givesWhatItLoses)
+{
+    // Box with mirror walls: gas and parcels together keep momentum (but for
+    // the walls: read before any is hit) and energy, spin included
+    open(50, 1e4, 2e4);
+    const std::string coupled
+    (
+        "solution{coupled yes;sourceTerms{schemes{U explicit 1;}}}"
+        "constantProperties{omega0 (0 0 3e6);}"
+    );
+    for (const char* motion : {"", embedded})
+    {
+        for (const char* listed : {"", "sphereDrag;"})
+        {
+            const word name
+            (
+                word(*motion ? "embedded" : "stock")
+              + (*listed ? "Listed" : "Core")
+            );
+            const auto cloud = make
+            (
+                motion + coupled + "subModels{particleForces{" + listed + "}}",
+                name
+            );
+            const auto momentum =
+                [&]()
+                {
+                    vector sum(Zero);
+                    for (const auto& p : *cloud)
+                    {
+                        sum += p.nParticle()*p.mass()*p.U();
+                    }
+                    return sum;
+                };
+            const auto energy =
+                [&]()
+                {
+                    return
+                        cloud->linearKineticEnergyOfSystem()
+                      + cloud->rotationalEnergyOfSystem();
+                };
+            step(*cloud);
+            vector p0 =
+                momentum() + vector(gSum(cloud->UTrans().field()));
+            scalar E0 = energy() + gSum(cloud->ETrans().field());
+            // The first step injects with U0 and omega0
+            const auto& first = *cloud->first();
+            const scalar n = first.nParticle()*cloud->size();
+            EXPECT_NEAR
+            (
+                E0
+               /(
+                    n
+                   *(
+                        0.5*first.mass()*1e6
+                      + 0.5*first.momentOfInertia()*9e12
+                    )
+                ),
+                1,
+                1e-13
+            );
+            EXPECT_NEAR(p0.x()/(n*first.mass()*1000), 1, 1e-13);
+            for (int i = 0; i < 20; ++i)
+            {
+                const vector p1 = momentum();
+                const scalar E1 = energy();
+                step(*cloud);
+                EXPECT_LT
+                (
+                    mag(momentum() + gSum(cloud->UTrans().field()) - p1),
+                    1e-13*mag(p1)
+                ) << name;
+                EXPECT_LT
+                (
+                    mag(energy() + gSum(cloud->ETrans().field()) - E1),
+                    1e-13*E1
+                ) << name;
+                EXPECT_GT(mag(gSum(cloud->ETrans().field())), 1e-9*E1);
+            }
+        }
+    }
+}
+
+
+TEST_F(spinningCloudTest, aMirrorTurnsTheSpin)
+{
+    open();
+    const auto cloud = make("subModels{rotationalTorqueModel none;}");
+    step(*cloud);
+    auto& p = *cloud->first();
+    p.omega() = vector(1, 2, 3);
+    p.U() = vector(4, 5, 6);
+    const vector n(0, 1, 0);
+    p.transformProperties(I - 2*n*n);
+    EXPECT_EQ(p.U(), vector(4, -5, 6));
+    EXPECT_EQ(p.omega(), vector(-1, 2, -3));
+    // A rotation by 90 degrees about z
+    p.transformProperties(tensor(0, -1, 0, 1, 0, 0, 0, 0, 1));
+    EXPECT_LT(mag(p.omega() - vector(-2, -1, -3)), 1e-15);
+}
+
+
+TEST_F(spinningCloudTest, goesThroughStreamsAndRegistries)
+{
+    open();
+    const auto cloud = make("constantProperties{omega0 (1 2 3e5);}");
+    step(*cloud, 2);
+    for (const auto format : {IOstream::ASCII, IOstream::BINARY})
+    {
+        OStringStream os(format);
+        os.precision(17);
+        os << *cloud->first();
+        IStringStream is(os.str(), format);
+        const basicSpinningParcel copy(mesh_(), is, true);
+        EXPECT_EQ(copy.omega(), cloud->first()->omega());
+        EXPECT_EQ(copy.U(), cloud->first()->U());
+    }
+
+    objectRegistry obr(IOobject("objects", time_->timeName(), time_()));
+    cloud->writeObjects(obr);
+    const auto& omega = obr.lookupObject<IOField<vector>>("omega");
+    ASSERT_EQ(omega.size(), 7);
+    EXPECT_EQ(omega[0], cloud->first()->omega());
+}
+
+
+TEST_F(spinningCloudTest, leavesTheFrozenGasAlone)
+{
+    open(50, 1e4, 2e4);
+    const auto cloud = make(embedded);
+    step(*cloud);
+    const volVectorField& curl = parcelGas::halfCurl(U_());
+    EXPECT_NEAR(curl[500].z(), 1e4, 1e-6);
+    const label before = curl.eventNo();
+    step(*cloud, 3);
+    EXPECT_EQ(&parcelGas::halfCurl(U_()), &curl);
+    EXPECT_EQ(curl.eventNo(), before);
+    U_() *= 2;
+    step(*cloud);
+    EXPECT_GT(curl.eventNo(), before);
+    EXPECT_NEAR(curl[500].z(), 2e4, 1e-6);
+}
+
+
+TEST_F(spinningCloudTest, survivesExtremes)
+{
+    open(0, 0, 0, 1e-4);
+    // At rest in gas at rest; spinning at 1e9 rad/s; on an edge of the mesh
+    for (const char* motion : {"", "solution{motion embeddedRK54;}"})
+    {
+        for (const char* at : {"(0.02 0.02 0)", "(0.021 0.02 0)"})
+        {
+            for (const char* spin : {"(0 0 0)", "(0 0 1e9)", "(1e9 -1e9 0)"})
+            {
+                for (const char* U : {"(0 0 0)", "(200 0 0)"})
+                {
+                    const auto cloud = make
+                    (
+                        motion + single("5e-6", U, at)
+                      + "constantProperties{omega0 " + spin + ";}",
+                        word("c") + name(time_->timeIndex())
+                    );
+                    step(*cloud, 3);
+                    ASSERT_EQ(cloud->size(), 1);
+                    const auto& p = *cloud->first();
+                    EXPECT_LT(mag(p.U()), 201);
+                    EXPECT_LE(mag(p.omega()), 1.5e9);
+                    EXPECT_TRUE(mesh_->bounds().contains(p.position()));
+                }
+            }
+        }
+    }
+}
+
+
+TEST_F(spinningCloudTest, restsOnAWall)
+{
+    open(0, 0, 0, 1e-3);
+    g_ = dimensionedVector("g", dimAcceleration, vector(0, -1000, 0));
+    const auto cloud = make
+    (
+        "solution{motion embeddedRK54;}"
+      + single("5e-4", "(0 0 0)", "(0.02 1e-4 0)")
+      + "subModels{particleForces{gravity;}patchInteractionModel rebound;"
+        "reboundCoeffs{UFactor 0.3;}}"
+    );
+    step(*cloud, 5);
+    const auto& p = *cloud->first();
+    EXPECT_LT(cloud->statistics().nSteps, 50000);
+    EXPECT_GE(p.position().y(), -1e-9);
+    EXPECT_LT(p.position().y(), 5e-4);
+    EXPECT_LT(mag(p.U()), 1);
+}
+
+
+TEST_F(spinningCloudTest, refusesBadInput)
+{
+    open();
+    expectRefusal
+    (
+        "solution{motion leapFrog;}",
+        {"motion", "leapFrog", "stock", "embeddedRK54"}
+    );
+    expectRefusal
+    (
+        "solution{motion{type leapFrog;}}",
+        {"motion", "leapFrog", "stock", "embeddedRK54"}
+    );
+    for (const char* bad : {"0", "-1", "0.5"})
+    {
+        expectRefusal
+        (
+            std::string("solution{motion{type embeddedRK54;tolerance ")
+          + bad + ";}}",
+            {"tolerance", bad, "[1e-14, 0.1]"}
+        );
+    }
+    expectRefusal
+    (
+        "solution{motion embeddedRK54;interpolationSchemes{U cell;}}",
+        {"'U', value cell", "cellPoint"}
+    );
+    expectRefusal
+    (
+        "solution{motion embeddedRK54;cellValueSourceCorrection on;}",
+        {"cellValueSourceCorrection", "(off)"}
+    );
+    expectRefusal
+    (
+        "subModels{rotationalTorqueModel dennis;}",
+        {"rotationalTorqueModel", "dennis", "none", "rotationalTorque"}
+    );
+    expectRefusal("solution{rotation perhaps;}", {"perhaps"});
+}
+
+
+TEST_F(spinningCloudTest, takesTheAnnotatedDictionary)
+{
+    open();
+    IFstream is
+    (
+        fileName(std::getenv("PARCEL_IMPACT_DIR"))
+       /"etc/caseDicts/annotated/spinningKinematicCloud"
+    );
+    dictionary dict(is);
+    ASSERT_EQ(dict.get<word>("type"), "spinningKinematicCloud");
+    OStringStream os;
+    dict.write(os, false);
+    const auto cloud = make(os.str());
+    EXPECT_TRUE(cloud->embeddedMotion());
+    EXPECT_TRUE(cloud->rotation());
+    step(*cloud);
+    EXPECT_EQ(cloud->size(), 7);
+}

@@ -1,0 +1,165 @@
+"""Restart, ranks and bad input of the spin-carrying cloud in a gas of linear
+velocity; stands in a temporary folder."""
+
+import filecmp
+import os
+import re
+
+import numpy as np
+
+from caseTools import (box, complaint, copy_case, decompose, edit, must, run,
+                       solve, verdict, write_block, write_case, write_field,
+                       write_foam)
+
+N = (24, 12, 1)
+LENGTH = (0.048, 0.024, 0.002)
+
+CLOUD = """
+type spinningKinematicCloud;
+solution
+{
+    active yes; coupled no; transient yes; cellValueSourceCorrection off;
+    maxCo 0.3;
+    rotation on;
+    MOTION
+    interpolationSchemes
+    { rho cellPoint; U cellPoint; T cellPoint; thermo:mu cellPoint; }
+    integrationSchemes { U Euler; }
+}
+constantProperties { rho0 2500; omega0 (0 0 2e6); }
+subModels
+{
+    particleForces { hendersonDrag; magnus; }
+    rotationalTorqueModel rotationalTorque;
+    injectionModels
+    {
+        stream
+        {
+            type crossSectionInjection; volumeFraction 2e-5; diameter 4e-6;
+            U0 (500 30 0); patches (xMin); front (0.02 0 0);
+        }
+    }
+    patchInteractionModel standardWallInteraction;
+    standardWallInteractionCoeffs { type rebound; e 0.8; mu 0.1; }
+    dispersionModel none; stochasticCollisionModel none;
+    surfaceFilmModel none;
+}
+cloudFunctions {}
+"""
+MOTIONS = {"stock": "motion stock;",
+           "embedded": "motion { type embeddedRK54; tolerance 1e-6; }"}
+TIMES = ("5e-05", "0.0001")
+
+
+def make(case, motion):
+    write_case(
+        case,
+        {"endTime": 1e-4, "deltaT": 2e-6, "writeInterval": 5e-5,
+         "libs": "(spinningParcel)"},
+        {"mode": "frozen"})
+    write_block(case, box(LENGTH), N,
+                {"xMin": "patch", "xMax": "patch", "yMin": "wall",
+                 "yMax": "wall"})
+    must(case, "blockMesh")
+    x = (np.arange(N[0]) + 0.5)*LENGTH[0]/N[0]
+    y = (np.arange(N[1]) + 0.5)*LENGTH[1]/N[1]
+    X, Y = np.meshgrid(x, y)
+    u = np.stack([300 + 4e3*X, 2e3*Y - 20, 0*X], axis=-1).reshape(-1, 3)
+    T = (250 + 1000*X).reshape(-1)
+    fixed = {side: "type zeroGradient;"
+             for side in ("xMin", "xMax", "yMin", "yMax")}
+    fixed.update({side: "type empty;" for side in ("zMin", "zMax")})
+    write_field(case, "p", 3e4, fixed)
+    write_field(case, "T", T, fixed)
+    write_field(case, "U", u, fixed)
+    write_foam(case, "constant/parcelClouds", "clouds (sand);")
+    write_foam(case, "constant/sandProperties",
+               CLOUD.replace("MOTION", MOTIONS[motion]))
+
+
+def binary_list(path, width):
+    with open(path, "rb") as file:
+        data = file.read()
+    head = re.search(rb"\n(\d+)\s*\(", data)
+    n = int(head.group(1))
+    kind = np.int32 if b"labelField" in data[:900] else np.float64
+    return np.frombuffer(data, kind, n*width, head.end()).reshape(n, width)
+
+
+def state(case, time):
+    """Identity -> velocity and spin."""
+    folder = os.path.join(case, time, "lagrangian", "sand")
+    ids = binary_list(os.path.join(folder, "origId"), 1)[:, 0]
+    U = binary_list(os.path.join(folder, "U"), 3)
+    omega = binary_list(os.path.join(folder, "omega"), 3)
+    return {i: (u, w) for i, u, w in zip(ids, U, omega)}
+
+
+for motion in MOTIONS:
+    make(motion, motion)
+
+    case = copy_case(motion, motion + "Straight")
+    log = solve(case)
+    parcels = state(case, TIMES[1])
+    spins = np.array([w[2] for _, w in parcels.values()])
+    verdict(motion + "_moves_and_spins",
+            len(parcels) > 200 and np.all(np.isfinite(spins))
+            and np.all(np.abs(spins) < 2.1e6) and np.std(spins) > 1e3,
+            f"{len(parcels)} parcels, spins {spins.min():.3g} to "
+            f"{spins.max():.3g} rad/s")
+
+    restarted = copy_case(motion, motion + "Restarted")
+    edit(restarted, "system/controlDict", "endTime 0.0001", "endTime 5e-05")
+    solve(restarted)
+    edit(restarted, "system/controlDict", "endTime 5e-05", "endTime 0.0001")
+    solve(restarted)
+    folder = os.path.join(TIMES[1], "lagrangian", "sand")
+    names = sorted(os.listdir(os.path.join(case, folder)))
+    other = [n for n in names if not filecmp.cmp(
+        os.path.join(case, folder, n), os.path.join(restarted, folder, n),
+        False)]
+    verdict(motion + "_restart_is_bitwise",
+            "omega" in names and not other, f"{len(names)} files, "
+            f"different: {other}")
+
+    ranks = copy_case(motion, motion + "Ranks")
+    decompose(ranks)
+    solve(ranks, 2)
+    must(ranks, "reconstructPar", "-latestTime")
+    there = state(ranks, TIMES[1])
+    worst = 1.0
+    if there.keys() == parcels.keys():
+        worst = max(max(np.abs(parcels[i][0] - there[i][0]).max()/500,
+                        np.abs(parcels[i][1] - there[i][1]).max()/2e6)
+                    for i in parcels)
+    verdict(motion + "_two_ranks", worst < 1e-10,
+            f"largest difference {worst:.2g}")
+
+# Each must be refused before the first step, with these words
+for name, old, new, words in (
+        ("motion", "motion stock;", "motion leapFrog;",
+         ["motion", "leapFrog", "stock", "embeddedRK54"]),
+        ("tolerance", "motion stock;",
+         "motion { type embeddedRK54; tolerance 2; }",
+         ["'tolerance', value 2", "[1e-14, 0.1]"]),
+        ("scheme", "{ rho cellPoint; U cellPoint; T cellPoint;",
+         "{ rho cellPoint; U cellPoint; T cell;",
+         ["'T', value cell", "cellPoint"]),
+        ("torque", "rotationalTorqueModel rotationalTorque",
+         "rotationalTorqueModel stokes",
+         ["'rotationalTorqueModel', value stokes", "rotationalTorque"]),
+        ("rotation", "rotation on", "rotation maybe", ["maybe"]),
+        ("force", "magnus;", "magnuss;", ["magnuss", "magnus", "sphereDrag"]),
+        ("density", "rho0 2500", "rho0 0", ["'rho0', value 0"]),
+        ("diameter", "diameter 4e-6", "diameter -1",
+         ["'diameter', value -1", "(0, infinity)"]),
+        ("omega0", "omega0 (0 0 2e6)", "omega0 (0 0)", ["omega0"])):
+    case = copy_case("embedded" if name == "scheme" else "stock", "bad")
+    edit(case, "constant/sandProperties", old, new)
+    status, text = run(case, "rhoCentralParcelFoam")
+    at = text.find("FOAM FATAL")
+    missing = [w for w in words if w not in text[at:]]
+    verdict("refuses_" + name,
+            status != 0 and at >= 0 and "\nTime = " not in text[:at]
+            and not missing, complaint(text) + f" missing {missing}")
+    must(".", "rm", "-rf", case)
