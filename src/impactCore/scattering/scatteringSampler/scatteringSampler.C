@@ -2,7 +2,7 @@
     parcelImpact. License: GPL-3.0-or-later, see COPYING.
 \*---------------------------------------------------------------------------*/
 
-#include "scatteringSampler.H"
+#include "samplerWorkspace.H"
 #include "philoxLanes.H"
 
 #include <algorithm>
@@ -130,60 +130,7 @@ void copyLanes
     }
 }
 
-
-//- Counts over the visits of a block
-struct visitCounts
-{
-    std::int64_t impacts = 0, micro = 0, into = 0, second = 0;
-    std::int64_t pulling = 0, gaining = 0, capped = 0;
-
-    //- What an impact or more of one visit add
-    void addImpacts(const impact::visitResult& r)
-    {
-        impacts += r.impacts;
-        micro += r.microImpacts;
-        pulling += r.pulling;
-        gaining += r.gaining;
-        capped += r.capped;
-    }
-
-    void addTo(impact::scatteringStatistics& result) const
-    {
-        typedef impact::scatteringStatistics S;
-        result.count(S::impacts, impacts);
-        result.count(S::microImpacts, micro);
-        result.count(S::intoWall, into);
-        result.count(S::secondImpact, second);
-        result.count(S::pulling, pulling);
-        result.count(S::gaining, gaining);
-        result.count(S::capped, capped);
-    }
-};
-
 } // End anonymous namespace
-
-
-struct impact::scatteringSampler::workspace
-{
-    reliefPiece piece;
-    std::int64_t pieceIdentity = -1;
-
-    //- Velocities after the last impact, by particle of the block
-    double Vx[blockSize], Vy[blockSize], Vz[blockSize];
-    double spinEnergy[blockSize];
-    unsigned char profileBlock[blockSize];
-
-    smoothLanes lanes, struck, start;
-    smoothFlights flights;
-
-    workspace(const relief& r, std::uint64_t seed)
-    :
-        piece(r, seed),
-        flights()
-    {
-        std::fill_n(flights.ey[0], smoothBatch, 1.);
-    }
-};
 
 
 impact::scatteringSampler::scatteringSampler(const setup& s)
@@ -274,6 +221,7 @@ impact::scatteringSampler::scatteringSampler(const setup& s)
         {
             --perPiece_;
         }
+        setRoughBody();
     }
 }
 
@@ -598,7 +546,11 @@ void impact::scatteringSampler::sampleBlock
     scatteringStatistics& result
 ) const
 {
-    if (setup_.wall)
+    if (vectorRough_)
+    {
+        sampleRandomRelief(first, n, w, result);
+    }
+    else if (setup_.wall)
     {
         sampleRough(first, n, w, result);
     }

@@ -561,94 +561,6 @@ private:
     }
 };
 
-
-//- When may the circumscribed circle first reach the relief, from time t on?
-//  Infinite if never
-double leap
-(
-    const bodyState& b,
-    double R,
-    double t,
-    reliefPiece& piece,
-    std::int64_t& hint,
-    bool& lost
-)
-{
-    const double infinite = std::numeric_limits<double>::infinity();
-    const double vx = b.V.x;
-    const double vy = b.V.y;
-    const double y = b.y + vy*t;
-    const double top = piece.model().top();
-
-    // Above everything: straight down to the highest top there may be
-    double start = t;
-    if (y - R > top)
-    {
-        if (vy >= 0)
-        {
-            return infinite;
-        }
-        start = t + (top + R - y)/vy;
-    }
-    const double xs = b.x + vx*start;
-    const int step = vx < 0 ? -1 : 1;
-    std::int64_t n = piece.find(vx < 0 ? xs + R : xs - R, hint);
-    hint = n;
-    double found = infinite;
-    for (int count = 0; ; ++count, n += step)
-    {
-        const relief::interval& s = piece.at(n);
-
-        // The circle is over this interval from 'enter' to 'leave'
-        double enter = start;
-        double leave = infinite;
-        if (vx > 0)
-        {
-            enter = std::max(start, (s.x0 - R - b.x)/vx);
-            leave = (s.x1 + R - b.x)/vx;
-        }
-        else if (vx < 0)
-        {
-            enter = std::max(start, (s.x1 + R - b.x)/vx);
-            leave = (s.x0 - R - b.x)/vx;
-        }
-        else if (s.x0 > xs + R)
-        {
-            break;
-        }
-        if (enter >= found)
-        {
-            break;
-        }
-        // Lowest point of the circle against the top of the interval
-        const double room = b.y + vy*enter - R - s.top;
-        if (room <= 0)
-        {
-            found = std::min(found, enter);
-        }
-        else if (vy < 0)
-        {
-            const double reach = enter - room/vy;
-            if (reach <= leave)
-            {
-                found = std::min(found, reach);
-            }
-        }
-        if (vy >= 0 && b.y + vy*enter - R > top)
-        {
-            break;
-        }
-        if (count > 10000000)
-        {
-            lost = true;
-            break;
-        }
-    }
-    // Round-off must not carry past
-    return found == infinite ? found
-        : std::max(t, found - 1e-12*(found - t));
-}
-
 } // End anonymous namespace
 
 
@@ -749,7 +661,10 @@ impact::contactPoint impact::wallVisit::search
             lost = true;
             return none;
         }
-        const double jump = leap(state, R, t0, piece, hint, lost);
+        const double jump = piece.firstReach
+        (
+            state.x, state.y, state.V.x, state.V.y, R, R, t0, hint, lost
+        );
         if (lost || jump == std::numeric_limits<double>::infinity())
         {
             return none;
