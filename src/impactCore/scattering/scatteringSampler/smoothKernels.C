@@ -485,24 +485,37 @@ impactKernel void smoothCull
     const double R = b.radius;
     const double offset = b.offset;
     const double bend = b.bend;
-    const double bounce = b.ellipsoid ? b.normal : 0;
+    const double a0 = b.a[0], a1 = b.a[1], a2 = b.a[2];
+    const bool ellipsoid = b.ellipsoid;
+    const bool box = !ellipsoid && !b.vertices;
+    const double bounce = ellipsoid ? b.normal : 0;
     for (int i = 0; i < n; ++i)
     {
         const double wx = l.w[0][i], wy = l.w[1][i], wz = l.w[2][i];
+        const double mx = l.ey[0][i], my = l.ey[1][i], mz = l.ey[2][i];
         const double w2 = wx*wx + wy*wy + wz*wz;
         const double Vy = l.V[1][i];
-        const double y =
-           -(
-                l.r[0][i]*l.ey[0][i] + l.r[1][i]*l.ey[1][i]
-              + l.r[2][i]*l.ey[2][i]
-            );
+        const double y = -(l.r[0][i]*mx + l.r[1][i]*my + l.r[2][i]*mz);
+
         // Rises faster than any lowest point can sink; or is out of reach
-        // after (R - y)/Vy, before which rise t - bend w^2 t^2/2 > 0 (of an
-        // ellipsoid: another corner of a box may be sinking already)
+        // after the time (R - y)/Vy, before which rise t - bend w^2 t^2/2 > 0
+        // (of an ellipsoid: another corner of a box may be sinking already)
         const double rise = bounce*l.approach[i];
+        const double needed = bend*w2*(R - y);
+
+        // A box: with the normal m(t) in body components and m' = m x w, no
+        // corner is lower than y + Vy t - h(m + t m') - bend w^2 t^2/2, h the
+        // support of the box. This is concave in t and 0 at t = 0: if it is
+        // positive when the body gets out of reach it was so before
+        const double up = positivePart(Vy) + 1e-9*R*std::sqrt(w2);
+        const double T = (R - y)/nonZero(up);
+        const double depth =
+            a0*std::fabs(mx + T*(my*wz - mz*wy))
+          + a1*std::fabs(my + T*(mz*wx - mx*wz))
+          + a2*std::fabs(mz + T*(mx*wy - my*wx));
+        const bool clear = box & (R - depth > 0.5*bend*w2*T*T + 1e-9*R);
         const bool gone = (Vy > 0)
-          & ((Vy*Vy >= offset*offset*w2)
-          | (2*rise*Vy >= bend*w2*(R - y)));
+          & ((Vy*Vy >= offset*offset*w2) | (2*rise*Vy >= needed) | clear);
         mayReturn[i] = gone ? 0. : Vy > 0 ? 1. : 2.;
     }
 }
