@@ -238,7 +238,7 @@ impactInline void advance
         double rx, ry, rz;
         const double h =
             lowest(ellipsoid, a0, a1, a2, mx, my, mz, rx, ry, rz);
-        const double y1 = f.y[i] + f.Vy[i]*t1;
+        const double y1 = f.y[i] + f.V[1][i]*t1;
         const double g1 = y1 - h;
 
         // As in wallVisit::search
@@ -252,7 +252,7 @@ impactInline void advance
         const bool shortest = tau <= least;
         const bool clear =
             ((root0 + root1)*reach > tau) | (!pierced & shortest);
-        const bool gone = !pierced & clear & (f.Vy[i] > 0) & (y1 > R);
+        const bool gone = !pierced & clear & (f.V[1][i] > 0) & (y1 > R);
         if (decide)
         {
             const bool step = live & !pierced & clear;
@@ -261,6 +261,7 @@ impactInline void advance
                 step ? (longer > least ? longer : least) : 0.5*tau;
             const double now = 2*(pierced ? 1. : 0.) + (gone ? 1. : 0.);
             f.status[i] = live ? now : before;
+            f.ended[i] = (live ? now : before) > 0 ? 1 : 0;
             f.t[i] = t0 + (step ? tau : 0.);
             f.gap[i] = step ? above : g0;
             const double next = trial < longest ? trial : longest;
@@ -270,7 +271,7 @@ impactInline void advance
         {
             double wx = f.w[0][i], wy = f.w[1][i], wz = f.w[2][i];
             turnAxis<axis>(s, c, wx, wy, wz);
-            const double rate1 = f.Vy[i]
+            const double rate1 = f.V[1][i]
               + mx*(wy*rz - wz*ry) + my*(wz*rx - wx*rz)
               + mz*(wx*ry - wy*rx);
             const bool falling = rate1 < 0;
@@ -307,6 +308,7 @@ impactInline void advance
                 pierced ? back : step ? longer : shorter;
             const double now = 2*(strikes ? 1. : 0.) + (gone ? 1. : 0.);
             f.status[i] = live ? now : before;
+            f.ended[i] = (live ? now : before) > 0 ? 1 : 0;
             f.t[i] = t0 + (step ? tau : 0.);
             f.gap[i] = step ? above : g0;
             const double capped = trial < longest ? trial : longest;
@@ -474,14 +476,17 @@ impactKernel void smoothTally
 }
 
 
-impactKernel void smoothCull
+impactKernel int smoothCull
 (
     int n,
     const smoothBody& b,
     const smoothLanes& __restrict__ l,
-    double* __restrict__ mayReturn
+    bool decide,
+    int* __restrict__ mayReturn
 )
 {
+    const int ifSure = decide ? 0 : 1;
+    int surely = 0;
     const double R = b.radius;
     const double offset = b.offset;
     const double bend = b.bend;
@@ -516,16 +521,20 @@ impactKernel void smoothCull
         const bool clear = box & (R - depth > 0.5*bend*w2*T*T + 1e-9*R);
         const bool gone = (Vy > 0)
           & ((Vy*Vy >= offset*offset*w2) | (2*rise*Vy >= needed) | clear);
-        mayReturn[i] = gone ? 0. : Vy > 0 ? 1. : 2.;
+        const int sinks = Vy > 0 ? 0 : 1;
+        const int stays = gone ? 0 : 1;
+        mayReturn[i] = sinks ? ifSure : stays;
+        surely += sinks;
     }
+    return decide ? surely : 0;
 }
 
 
 impactKernel void smoothLaunch
 (
-    int n,
+    int from,
+    int to,
     const smoothBody& b,
-    const smoothLanes& __restrict__ l,
     smoothFlights& __restrict__ f
 )
 {
@@ -538,34 +547,25 @@ impactKernel void smoothLaunch
     const double R = b.radius;
     const double bend = b.bend;
     const double bounce = b.normal;
-    for (int i = 0; i < n; ++i)
+    for (int i = from; i < to; ++i)
     {
-        const double wx = l.w[0][i], wy = l.w[1][i], wz = l.w[2][i];
+        const double wx = f.w[0][i], wy = f.w[1][i], wz = f.w[2][i];
         const double Lx = J0*wx, Ly = J1*wy, Lz = J2*wz;
         const double w2 = wx*wx + wy*wy + wz*wz;
         const double L = std::sqrt(Lx*Lx + Ly*Ly + Lz*Lz);
         const double unit = 1/nonZero(L);
-        const double mx = l.ey[0][i], my = l.ey[1][i], mz = l.ey[2][i];
-        const double Vx = l.V[0][i], Vy = l.V[1][i];
-        const double rise = bounce*l.approach[i];
+        const double Vx = f.V[0][i], Vy = f.V[1][i];
+        const double rise = bounce*f.approach[i];
         const double fastest =
             std::sqrt(Vx*Vx + Vy*Vy) + std::sqrt(w2)*R;
         const double bound =
             nonZero(bend*w2 + 1e-30*fastest*fastest/R);
         const double least = 1e-10*R/(fastest + 1e-100);
-        f.ey[0][i] = mx;
-        f.ey[1][i] = my;
-        f.ey[2][i] = mz;
-        f.w[0][i] = wx;
-        f.w[1][i] = wy;
-        f.w[2][i] = wz;
         f.axisL[0][i] = unit*Lx;
         f.axisL[1][i] = unit*Ly;
         f.axisL[2][i] = unit*Lz;
         f.rateL[i] = L/across;
         f.rateAxis[i] = ratio*(along0*wx + along1*wy + along2*wz);
-        f.y[i] = -(l.r[0][i]*mx + l.r[1][i]*my + l.r[2][i]*mz);
-        f.Vy[i] = Vy;
         f.t[i] = 0;
         f.gap[i] = 0;
         f.reach[i] = std::sqrt(2/bound);
