@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "samplerWorkspace.H"
+#include "scatteringKernels.H"
 #include "philoxLanes.H"
 
 #include <algorithm>
@@ -290,12 +291,14 @@ void impact::scatteringSampler::sampleBlock
         sampleSmooth(first, n, w, result);
     }
     double translation = 0, rotation = 0;
-    for (int i = 0; i < n; ++i)
+    for (const double* component : {w.Vx, w.Vy, w.Vz})
     {
-        translation +=
-            w.Vx[i]*w.Vx[i] + w.Vy[i]*w.Vy[i] + w.Vz[i]*w.Vz[i];
-        rotation += w.spinEnergy[i];
+        double sum, squares;
+        sumAndSquares(n, component, sum, squares);
+        translation += squares;
     }
+    double unused;
+    sumAndSquares(n, w.spinEnergy, rotation, unused);
     const double unit = 1/(setup_.speed*setup_.speed);
     result.addBlock(scatteringStatistics::translational, unit*translation);
     result.addBlock(scatteringStatistics::rotational, unit*rotation);

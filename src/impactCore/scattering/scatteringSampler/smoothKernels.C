@@ -245,7 +245,7 @@ impactInline void advance
         const double reach = f.reach[i];
         const double least = f.least[i];
         const double longest = 8e10*least;
-        const double root0 = std::sqrt(g0);
+        const double root0 = f.root[i];
         const double above = positivePart(g1);
         const double root1 = std::sqrt(above);
         const bool pierced = g1 < -tolerance;
@@ -261,9 +261,10 @@ impactInline void advance
                 step ? (longer > least ? longer : least) : 0.5*tau;
             const double now = 2*(pierced ? 1. : 0.) + (gone ? 1. : 0.);
             f.status[i] = live ? now : before;
-            f.ended[i] = (live ? now : before) > 0 ? 1 : 0;
+            f.ended[i] = int(live ? now : before);
             f.t[i] = t0 + (step ? tau : 0.);
             f.gap[i] = step ? above : g0;
+            f.root[i] = step ? root1 : root0;
             const double next = trial < longest ? trial : longest;
             f.tau[i] = next > least ? next : least;
         }
@@ -275,7 +276,7 @@ impactInline void advance
               + mx*(wy*rz - wz*ry) + my*(wz*rx - wx*rz)
               + mz*(wx*ry - wy*rx);
             const bool falling = rate1 < 0;
-            const double slope = -nonZero(std::fabs(rate1));
+            const double inverse = -1/nonZero(std::fabs(rate1));
             const bool strikes =
                 (pierced & shortest)
              | (!pierced & clear & falling & (g1 <= tolerance));
@@ -283,7 +284,8 @@ impactInline void advance
 
             // Pierced: Newton's step back, or the chord's, and not beyond
             // what is certain
-            double back = tau - g1/slope;
+            const double newton = (pierced ? g1 : above)*inverse;
+            double back = tau - newton;
             const double chord =
                 tau*g0/(std::fabs(g0 - g1) + 1e-30*R);
             back = falling & (back > 0) & (back < tau) ? back : chord;
@@ -300,17 +302,17 @@ impactInline void advance
             // Certain: on from there
             const double ahead =
                 0.9*reach*(reach*rate1 + 2*root1);
-            const double newton = -above/slope;
             const double longer =
-                falling & (newton < 0.99*reach*root1) ? newton : ahead;
+                falling & (-newton < 0.99*reach*root1) ? -newton : ahead;
 
             const double trial =
                 pierced ? back : step ? longer : shorter;
             const double now = 2*(strikes ? 1. : 0.) + (gone ? 1. : 0.);
             f.status[i] = live ? now : before;
-            f.ended[i] = (live ? now : before) > 0 ? 1 : 0;
+            f.ended[i] = int(live ? now : before);
             f.t[i] = t0 + (step ? tau : 0.);
             f.gap[i] = step ? above : g0;
+            f.root[i] = step ? root1 : root0;
             const double capped = trial < longest ? trial : longest;
             const double next = capped > least ? capped : least;
             f.tau[i] = strikes | !live ? tau : next;
@@ -364,6 +366,58 @@ impactInline void turnLanes
         l.w[1][i] = wy;
         l.w[2][i] = wz;
     }
+}
+
+template<bool ellipsoid, bool box>
+impactInline int cull
+(
+    int n,
+    const smoothBody& b,
+    const smoothLanes& __restrict__ l,
+    bool decide,
+    int* __restrict__ mayReturn
+)
+{
+    const int ifSure = decide ? 0 : 1;
+    int surely = 0;
+    const double R = b.radius;
+    const double offset = b.offset;
+    const double bend = b.bend;
+    const double a0 = b.a[0], a1 = b.a[1], a2 = b.a[2];
+    const double bounce = ellipsoid ? b.normal : 0;
+    for (int i = 0; i < n; ++i)
+    {
+        const double wx = l.w[0][i], wy = l.w[1][i], wz = l.w[2][i];
+        const double mx = l.ey[0][i], my = l.ey[1][i], mz = l.ey[2][i];
+        const double w2 = wx*wx + wy*wy + wz*wz;
+        const double Vy = l.V[1][i];
+        const double y = -(l.r[0][i]*mx + l.r[1][i]*my + l.r[2][i]*mz);
+
+        // Rises faster than any lowest point can sink; or is out of reach
+        // after the time (R - y)/Vy, before which rise t - bend w^2 t^2/2 > 0
+        // (of an ellipsoid: another corner of a box may be sinking already)
+        const double rise = bounce*l.approach[i];
+        const double needed = bend*w2*(R - y);
+
+        // A box: with the normal m(t) in body components and m' = m x w, no
+        // corner is lower than y + Vy t - h(m + t m') - bend w^2 t^2/2, h the
+        // support of the box. This is concave in t and 0 at t = 0: if it is
+        // positive when the body gets out of reach it was so before
+        const double up = positivePart(Vy) + 1e-9*R*std::sqrt(w2);
+        const double T = (R - y)/nonZero(up);
+        const double depth =
+            a0*std::fabs(mx + T*(my*wz - mz*wy))
+          + a1*std::fabs(my + T*(mz*wx - mx*wz))
+          + a2*std::fabs(mz + T*(mx*wy - my*wx));
+        const bool clear = box & (R - depth > 0.5*bend*w2*T*T + 1e-9*R);
+        const bool gone = (Vy > 0)
+          & ((Vy*Vy >= offset*offset*w2) | (2*rise*Vy >= needed) | clear);
+        const int sinks = Vy > 0 ? 0 : 1;
+        const int stays = gone ? 0 : 1;
+        mayReturn[i] = sinks ? ifSure : stays;
+        surely += sinks;
+    }
+    return decide ? surely : 0;
 }
 
 } // End anonymous namespace
@@ -420,17 +474,23 @@ impactKernel void smoothImpact
         const double vn = dot(Vc, n_);
         const vector3 dVc = tangent*Vc - (bounce*vn)*n_;
 
-        // spinChange() of reboundLaw.H
+        // spinChange() of reboundLaw.H, all over the product of the three
+        // pivots: two divisions instead of four
         const double r2 = dot(r, r);
-        const double ix = 1/(J0 + r2);
-        const double iy = 1/(J1 + r2);
-        const double iz = 1/(J2 + r2);
+        const double dx = J0 + r2, dy = J1 + r2, dz = J2 + r2;
+        const double px = dy*dz, py = dz*dx, pz = dx*dy;
+        const double inverse = 1/(dx*px);
         const vector3 m = cross(r, dVc);
-        const vector3 q = {ix*m.x, iy*m.y, iz*m.z};
-        const vector3 d = {ix*r.x, iy*r.y, iz*r.z};
+        const vector3 q = {px*m.x, py*m.y, pz*m.z};
+        const vector3 d = {px*r.x, py*r.y, pz*r.z};
         const double rest = J0*r.x*d.x + J1*r.y*d.y + J2*r.z*d.z;
         const double f = dot(r, q)*r2/rest;
-        const vector3 dw = {q.x + f*d.x, q.y + f*d.y, q.z + f*d.z};
+        const vector3 dw =
+        {
+            inverse*(q.x + f*d.x),
+            inverse*(q.y + f*d.y),
+            inverse*(q.z + f*d.z)
+        };
         const vector3 dV = dVc - cross(dw, r);
 
         const vector3 H = {J0*w.x, J1*w.y, J2*w.z};
@@ -480,53 +540,14 @@ impactKernel int smoothCull
 (
     int n,
     const smoothBody& b,
-    const smoothLanes& __restrict__ l,
+    const smoothLanes& l,
     bool decide,
-    int* __restrict__ mayReturn
+    int* mayReturn
 )
 {
-    const int ifSure = decide ? 0 : 1;
-    int surely = 0;
-    const double R = b.radius;
-    const double offset = b.offset;
-    const double bend = b.bend;
-    const double a0 = b.a[0], a1 = b.a[1], a2 = b.a[2];
-    const bool ellipsoid = b.ellipsoid;
-    const bool box = !ellipsoid && !b.vertices;
-    const double bounce = ellipsoid ? b.normal : 0;
-    for (int i = 0; i < n; ++i)
-    {
-        const double wx = l.w[0][i], wy = l.w[1][i], wz = l.w[2][i];
-        const double mx = l.ey[0][i], my = l.ey[1][i], mz = l.ey[2][i];
-        const double w2 = wx*wx + wy*wy + wz*wz;
-        const double Vy = l.V[1][i];
-        const double y = -(l.r[0][i]*mx + l.r[1][i]*my + l.r[2][i]*mz);
-
-        // Rises faster than any lowest point can sink; or is out of reach
-        // after the time (R - y)/Vy, before which rise t - bend w^2 t^2/2 > 0
-        // (of an ellipsoid: another corner of a box may be sinking already)
-        const double rise = bounce*l.approach[i];
-        const double needed = bend*w2*(R - y);
-
-        // A box: with the normal m(t) in body components and m' = m x w, no
-        // corner is lower than y + Vy t - h(m + t m') - bend w^2 t^2/2, h the
-        // support of the box. This is concave in t and 0 at t = 0: if it is
-        // positive when the body gets out of reach it was so before
-        const double up = positivePart(Vy) + 1e-9*R*std::sqrt(w2);
-        const double T = (R - y)/nonZero(up);
-        const double depth =
-            a0*std::fabs(mx + T*(my*wz - mz*wy))
-          + a1*std::fabs(my + T*(mz*wx - mx*wz))
-          + a2*std::fabs(mz + T*(mx*wy - my*wx));
-        const bool clear = box & (R - depth > 0.5*bend*w2*T*T + 1e-9*R);
-        const bool gone = (Vy > 0)
-          & ((Vy*Vy >= offset*offset*w2) | (2*rise*Vy >= needed) | clear);
-        const int sinks = Vy > 0 ? 0 : 1;
-        const int stays = gone ? 0 : 1;
-        mayReturn[i] = sinks ? ifSure : stays;
-        surely += sinks;
-    }
-    return decide ? surely : 0;
+    return b.ellipsoid ? cull<true, false>(n, b, l, decide, mayReturn)
+      : b.vertices ? cull<false, false>(n, b, l, decide, mayReturn)
+      : cull<false, true>(n, b, l, decide, mayReturn);
 }
 
 
@@ -568,6 +589,7 @@ impactKernel void smoothLaunch
         f.rateAxis[i] = ratio*(along0*wx + along1*wy + along2*wz);
         f.t[i] = 0;
         f.gap[i] = 0;
+        f.root[i] = 0;
         f.reach[i] = std::sqrt(2/bound);
         f.least[i] = least;
         const double lift = 1.8*rise/bound;

@@ -17,19 +17,36 @@ constexpr int fewFlights = 128;
 constexpr int manySteps = 100;
 
 
-//- Put flight j in the place of flight i
-void moveFlight(smoothFlights& f, int j, int i)
+//- Take out the flights ended[0 ... m - 1], in rising order, of n: the last
+//  ones come into their places. Returns the number left
+int removeFlights(smoothFlights& f, int n, const int* ended, int m)
 {
+    const int left = n - m;
+    int movers[smoothFlights::room + 1];
+    int moves = 0;
+    for (int i = left; i < n; ++i)
+    {
+        movers[moves] = i;
+        moves += f.ended[i] == 0;
+    }
     const std::size_t stride = sizeof(smoothFlights::lane)/sizeof(double);
     const int fields = int(&f.status - f.ex) + 1;
-    double* x = f.ex[0];
-    for (int k = 0; k < fields; ++k)
+    for (int c = 0; c < fields; ++c)
     {
-        x[k*stride + i] = x[k*stride + j];
+        double* x = f.ex[0] + c*stride;
+        for (int k = 0; k < moves; ++k)
+        {
+            x[ended[k]] = x[movers[k]];
+        }
     }
-    f.id[i] = f.id[j];
-    f.contacts[i] = f.contacts[j];
-    f.launched[i] = f.launched[j];
+    for (int* x : {f.id, f.contacts, f.launched})
+    {
+        for (int k = 0; k < moves; ++k)
+        {
+            x[ended[k]] = x[movers[k]];
+        }
+    }
+    return left;
 }
 
 
@@ -157,8 +174,9 @@ void impact::scatteringSampler::sampleSmooth
         const int* contacts
     )
     {
-        int may[smoothBatch];
-        int place[smoothBatch + 1];
+        int may[smoothFlights::room];
+        int place[smoothFlights::room + 1];
+        place[0] = 0;
         total.second += smoothCull(m, smooth_, lanes, decide, may);
         int k = 0;
         for (int i = 0; i < m; ++i)
@@ -197,60 +215,58 @@ void impact::scatteringSampler::sampleSmooth
         {
             for (int i = 0; i < inFlight; ++i)
             {
-                f.ended[i] |= step - f.launched[i] > manySteps;
+                if (!f.ended[i] && step - f.launched[i] > manySteps)
+                {
+                    finish(i);
+                    f.ended[i] = 1;
+                }
             }
         }
-        int ended[smoothFlights::room + 1];
+        int ended[smoothFlights::room + 1], hits[smoothFlights::room + 1];
         int m = 0;
         for (int i = 0; i < inFlight; ++i)
         {
             ended[m] = i;
-            m += f.ended[i];
+            m += f.ended[i] != 0;
         }
-        int particles[smoothBatch], contacts[smoothBatch];
-        double times[smoothBatch];
         int struck = 0;
-        for (int k = m - 1; k >= 0; --k)
+        for (int k = 0; k < m; ++k)
         {
-            const int i = ended[k];
-            if (f.status[i] == 2)
+            hits[struck] = ended[k];
+            struck += f.ended[ended[k]] >> 1;
+        }
+        if (decide)
+        {
+            total.second += struck;
+            inFlight = removeFlights(f, inFlight, ended, m);
+            return;
+        }
+        int particles[smoothFlights::room], contacts[smoothFlights::room];
+        double times[smoothFlights::room];
+        int k = 0;
+        for (int h = 0; h < struck; ++h)
+        {
+            const int i = hits[h];
+            hits[k] = i;
+            times[k] = f.t[i] + f.tau[i];
+            particles[k] = f.id[i];
+            contacts[k] = f.contacts[i] + 1;
+            total.second += f.contacts[i] == 1;
+            k += f.contacts[i] < setup_.maxImpacts;
+        }
+        total.capped += struck - k;
+        struck = k;
+        for (int c = 0; c < 3; ++c)
+        {
+            for (int h = 0; h < struck; ++h)
             {
-                total.second += f.contacts[i] == 1;
-                if (!decide && f.contacts[i] >= setup_.maxImpacts)
-                {
-                    ++total.capped;
-                }
-                else if (!decide)
-                {
-                    if (struck == smoothBatch)
-                    {
-                        // Stays where it is until the next step
-                        total.second -= f.contacts[i] == 1;
-                        continue;
-                    }
-                    for (int c = 0; c < 3; ++c)
-                    {
-                        again.ex[c][struck] = f.ex[c][i];
-                        again.ey[c][struck] = f.ey[c][i];
-                        again.w[c][struck] = f.w[c][i];
-                        again.V[c][struck] = f.V[c][i];
-                    }
-                    times[struck] = f.t[i] + f.tau[i];
-                    particles[struck] = f.id[i];
-                    contacts[struck] = f.contacts[i] + 1;
-                    ++struck;
-                }
-            }
-            else if (f.status[i] == 0)
-            {
-                finish(i);
-            }
-            --inFlight;
-            if (i < inFlight)
-            {
-                moveFlight(f, inFlight, i);
+                again.ex[c][h] = f.ex[c][hits[h]];
+                again.ey[c][h] = f.ey[c][hits[h]];
+                again.w[c][h] = f.w[c][hits[h]];
+                again.V[c][h] = f.V[c][hits[h]];
             }
         }
+        inFlight = removeFlights(f, inFlight, ended, m);
         if (struck == 0)
         {
             return;
