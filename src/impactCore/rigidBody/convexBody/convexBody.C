@@ -442,7 +442,10 @@ double impact::convexBody::leastCurvature() const
         return 0;
     }
     const double least = std::min({semiAxes_.x, semiAxes_.y, semiAxes_.z});
-    return least*least/radius_;
+
+    // least <= radius, but the quotient may round up: no ball is larger than
+    // the body
+    return std::min(least, least*least/radius_);
 }
 
 
