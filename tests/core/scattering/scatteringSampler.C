@@ -279,6 +279,12 @@ TEST(scatteringSampler, followsManyBodiesAsTheGeneralSearchFollowsOne)
     const convexBody cube = convexBody::box({a, a, a});
     variants.push_back({cube, 30, still, exit, usual, paper});
     variants.push_back({ball, 60, still, exit, usual, steep});
+
+    // Wider than some intervals
+    const convexBody large = convexBody::sphere(3*a);
+    const convexBody rod = convexBody::box({2.5*a, a, a});
+    variants.push_back({large, 15, still, exit, usual, paper});
+    variants.push_back({rod, 30, {0, 1e6, 1e6}, exit, usual, paper});
     variants.push_back({egg, 90, still, exit, usual, steep});
     variants.push_back({lens, 20, {1e6, -2e6, 5e6}, exit, usual, paper});
     variants.push_back({brick, 45, {0, 0, 2e7}, exit, usual, paper});
@@ -419,6 +425,34 @@ TEST(scatteringSampler, showsWhatThePaperReports)
         EXPECT_NEAR(smooth[p].modeAlpha(), 2, 1.5);
         EXPECT_NEAR(share(smooth[p], S::intoWall), 0.36, 0.03);
         EXPECT_NEAR(share(smooth[p], S::secondImpact), 0.45, 0.03);
+    }
+
+    // Until they leave, prisms have a flat maximum that reaches 30 degrees
+    // under the paper's law of orientation, less so under the isotropic one
+    for (int p : {3, 4})
+    {
+        scatteringSampler::setup s = basic(shapes[p]);
+        s.binWidth = 5;
+        double at30[2];
+        for (bool isotropic : {false, true})
+        {
+            s.orientation = isotropic
+              ? orientationLaw::isotropic : orientationLaw::uniformEuler;
+            const scatteringStatistics r = run(s, 400000);
+            double peak = 0;
+            int best = 0;
+            for (int i = 0; i < r.nBins(); ++i)
+            {
+                best = r.F(i) > peak ? i : best;
+                peak = r.F(best);
+            }
+            EXPECT_GE(5*best, 15);
+            EXPECT_LE(5*best, 30);
+            at30[isotropic] = 0.5*(r.F(5) + r.F(6))/peak;
+        }
+        // 0.99 and 0.95, with a standard error of 0.005
+        EXPECT_GT(at30[0], 0.97);
+        EXPECT_LT(at30[1], at30[0]);
     }
 
     // What an independent program counted of the prisms: about 7 % of the

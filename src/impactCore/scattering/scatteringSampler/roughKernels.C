@@ -108,6 +108,44 @@ impactInline cubic interval(const roughLanes& l, int k, int i)
 }
 
 
+//- The intervals under a shadow
+template<int number>
+struct ground
+{
+    cubic part[number];
+    double split[number];   // where the next one begins
+    double top;
+
+    impactInline cubic at(double x) const
+    {
+        cubic c = chosen(x >= split[0], part[0], part[1]);
+        if (number > 2)
+        {
+            c = chosen(x >= split[number - 2], c, part[number - 1]);
+        }
+        return c;
+    }
+
+    //- Lane i, from its second interval on if the shadow has left the first
+    impactInline ground(const roughLanes& l, int i, double left)
+    {
+        const bool later = left >= l.x0[1][i];
+        top = -1e300;
+        for (int k = 0; k < number; ++k)
+        {
+            part[k] =
+                chosen(later, interval(l, k, i), interval(l, k + 1, i));
+            const double t = later ? l.top[k + 1][i] : l.top[k][i];
+            top = larger(top, t);
+        }
+        for (int k = 0; k < number; ++k)
+        {
+            split[k] = k + 1 < number ? part[k + 1].x0 : 1e300;
+        }
+    }
+};
+
+
 //- The point of least height above the relief
 struct lowestPoint
 {
@@ -117,20 +155,18 @@ struct lowestPoint
 
 
 //- A corner of the shadow, at r from the centre
+template<int number>
 impactInline void offerCorner
 (
     double cx,
     double cy,
     const vector3& r,
-    double split,
-    const cubic& p,
-    const cubic& q,
+    const ground<number>& under,
     lowestPoint& best
 )
 {
     const double x = cx + r.x;
-    const double gap =
-        cy + r.y - chosen(x >= split, p, q).height(x);
+    const double gap = cy + r.y - under.at(x).height(x);
     const bool lower = gap < best.gap;
     best.gap = lower ? gap : best.gap;
     best.x = lower ? x : best.x;
@@ -237,7 +273,8 @@ impactInline void turnTo
 }
 
 
-template<roughBody::shapeType shape>
+//- \tparam number  of intervals that the shadow may lie over
+template<roughBody::shapeType shape, int number>
 impactInline void advance
 (
     int n,
@@ -284,17 +321,7 @@ impactInline void advance
             width = g0.x + g1.x + g2.x;
         }
 
-        // The two intervals under it
-        const bool later = cx - width >= l.x0[1][i];
-        const cubic k0 = interval(l, 0, i);
-        const cubic k1 = interval(l, 1, i);
-        const cubic k2 = interval(l, 2, i);
-        const cubic p = chosen(later, k0, k1);
-        const cubic q = chosen(later, k1, k2);
-        const double split = q.x0;
-        const double topP = later ? l.top[1][i] : l.top[0][i];
-        const double topQ = later ? l.top[2][i] : l.top[1][i];
-
+        const ground<number> under(l, i, cx - width);
         lowestPoint low;
         bool settled = true, sharp = false;
         if (shape == roughBody::box)
@@ -308,11 +335,10 @@ impactInline void advance
             const vector3 v2 = sum(v1, g1, 2);
             low.r = v0;
             low.x = cx + v0.x;
-            low.gap =
-                cy + v0.y - chosen(low.x >= split, p, q).height(low.x);
-            offerCorner(cx, cy, v1, split, p, q, low);
-            offerCorner(cx, cy, v2, split, p, q, low);
-            offerCorner(cx, cy, half, split, p, q, low);
+            low.gap = cy + v0.y - under.at(low.x).height(low.x);
+            offerCorner(cx, cy, v1, under, low);
+            offerCorner(cx, cy, v2, under, low);
+            offerCorner(cx, cy, half, under, low);
 
             const double x0 = cx + v0.x, x1 = cx + v1.x;
             const double x2 = cx + v2.x, x3 = cx + half.x;
@@ -328,19 +354,21 @@ impactInline void advance
                 double xb
             ) __attribute__((always_inline))
             {
-                offerCrest
-                (
-                    cx, cy, r, g, m, xa, smaller(xb, split), R, p, low
-                );
-                offerCrest
-                (
-                    cx, cy, r, g, m, larger(xa, split), xb, R, q, low
-                );
+                #pragma GCC unroll 3
+                for (int k = 0; k < number; ++k)
+                {
+                    const double from = k > 0 ? under.split[k - 1] : xa;
+                    offerCrest
+                    (
+                        cx, cy, r, g, m, larger(xa, from),
+                        smaller(xb, under.split[k]), R, under.part[k], low
+                    );
+                }
             };
             crest(v0, g0, m0, x0, x1);
             crest(v1, g1, m1, x1, x2);
             crest(v2, g2, m2, x2, x3);
-            low.slope = chosen(low.x >= split, p, q).slope(low.x);
+            low.slope = under.at(low.x).slope(low.x);
         }
         else
         {
@@ -350,12 +378,15 @@ impactInline void advance
             const double f = width/depth;
             const double left = cx - width;
             const double right = cx + width;
-            const double bendL = chosen(left >= split, p, q).bend(left);
-            const double bendR = chosen(right >= split, p, q).bend(right);
-            const double bendS = q.bend(split);
-            const bool across = (left < split) & (right > split);
-            double bend = larger(bendL, bendR);
-            bend = across & (bendS > bend) ? bendS : bend;
+            double bend =
+                larger(under.at(left).bend(left), under.at(right).bend(right));
+            for (int k = 0; k + 1 < number; ++k)
+            {
+                const double at = under.split[k];
+                const double there = under.part[k + 1].bend(at);
+                const bool more = (left < at) & (right > at) & (there > bend);
+                bend = more ? there : bend;
+            }
             sharp = !(bend*width*f < 0.999);
 
             double lo = (-l.steep[i] - lean)*f*1.0001 - 1e-6;
@@ -368,7 +399,7 @@ impactInline void advance
             {
                 const double s = 1/std::sqrt(1 + at*at);
                 const double x = cx + width*at*s;
-                const cubic in = chosen(x >= split, p, q);
+                const cubic in = under.at(x);
                 const double e = at - (in.slope(x) - lean)*f;
                 const double rate = 1 - in.bend(x)*f*width*s*s*s;
                 lo = e > 0 ? lo : at;
@@ -385,7 +416,7 @@ impactInline void advance
             const double s = 1/std::sqrt(1 + at*at);
             const double xi = at*s;
             low.x = cx + width*xi;
-            const cubic in = chosen(low.x >= split, p, q);
+            const cubic in = under.at(low.x);
             low.slope = in.slope(low.x);
             low.gap =
                 cy + lean*width*xi - depth*s - in.height(low.x);
@@ -471,7 +502,7 @@ impactInline void advance
         const double next = moves ? onward : again;
         const bool leaves =
             moves
-          & ((room <= least) | (cy - l.deep[i] > larger(topP, topQ)));
+          & ((room <= least) | (cy - l.deep[i] > under.top));
         const double wish = leaves ? roughStatus::window : 0.;
         const double ended = strikes ? roughStatus::strikes : wish;
         l.status[i] = special ? roughStatus::special : ended;
@@ -483,6 +514,17 @@ impactInline void advance
         l.slope[i] = low.slope;
         put(l.r, i, low.r);
     }
+}
+
+
+template<int number>
+impactInline void advanceOver(int n, const roughBody& body, roughLanes& l)
+{
+    body.shape == roughBody::sphere
+  ? advance<roughBody::sphere, number>(n, body, l)
+  : body.shape == roughBody::spheroid
+  ? advance<roughBody::spheroid, number>(n, body, l)
+  : advance<roughBody::box, number>(n, body, l);
 }
 
 
@@ -536,10 +578,7 @@ namespace impact
 
 impactKernel void roughAdvance(int n, const roughBody& body, roughLanes& l)
 {
-    body.shape == roughBody::sphere ? advance<roughBody::sphere>(n, body, l)
-  : body.shape == roughBody::spheroid
-      ? advance<roughBody::spheroid>(n, body, l)
-  : advance<roughBody::box>(n, body, l);
+    body.wide ? advanceOver<3>(n, body, l) : advanceOver<2>(n, body, l);
 }
 
 

@@ -97,9 +97,10 @@ bool moveWindow
     const bool back = Vx < 0;
     const double cx = x + Vx*t;
     at = piece.find(back ? cx + wide : cx - wide, at);
-    const std::int64_t first = back ? at - 2 : at;
+    const int intervals = body.wide ? 4 : 3;
+    const std::int64_t first = back ? at - intervals + 1 : at;
     double steep = 0, crest = 0, from = 0, to = 0;
-    for (int k = 0; k < 3; ++k)
+    for (int k = 0; k < intervals; ++k)
     {
         const impact::relief::interval& s = piece.at(first + k);
         l.x0[k][i] = s.x0;
@@ -157,12 +158,13 @@ void impact::scatteringSampler::setRoughBody()
     const bool ellipsoid =
         body.shape() == convexBody::shapeType::ellipsoid;
     const double R = body.radius();
+    const double shortest = wall.meanSpacing() - 3*wall.sigmaSpacing();
 
     vectorRough_ =
         body.symmetryAxis() >= 0 && (ellipsoid || body.isBox())
      && law.law() == reboundLaw::lawType::restitution && law.normal() > 0
      && stretch_ < 512
-     && 2.001*R < wall.meanSpacing() - 3*wall.sigmaSpacing();
+     && 2.001*R < 2*shortest;
     if (!vectorRough_)
     {
         return;
@@ -177,6 +179,7 @@ void impact::scatteringSampler::setRoughBody()
     rough_.Ja = body.inertia()[axis];
     rough_.Jc = body.inertia()[(axis + 1) % 3];
     rough_.radius = R;
+    rough_.wide = 2.001*R > shortest;
     rough_.lever = R - body.leastCurvature();
     rough_.bend = rough_.lever*(1 + freeRotation::skewness(body));
     rough_.top = wall.top();
