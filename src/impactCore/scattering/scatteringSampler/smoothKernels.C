@@ -221,6 +221,7 @@ impactInline void advance
     const double a0 = b.a[0], a1 = b.a[1], a2 = b.a[2];
     const double R = b.radius;
     const double tolerance = 1e-11*R;
+    const double near = std::sqrt(0.5*tolerance);
     for (int i = 0; i < n; ++i)
     {
         const double tau = f.tau[i];
@@ -302,12 +303,20 @@ impactInline void advance
             // Certain: on from there
             const double ahead =
                 0.9*reach*(reach*rate1 + 2*root1);
-            const double longer =
-                falling & (-newton < 0.99*reach*root1) ? -newton : ahead;
+            const bool sure = falling & (-newton < 0.99*reach*root1);
+            const double left = f.target[i] - t1;
+            const double hence =
+                (!ellipsoid) & (left > 0) & (left < ahead) ? left : ahead;
+            const double longer = sure ? -newton : hence;
 
             const double trial =
                 pierced ? back : step ? longer : shorter;
-            const double now = 2*(strikes ? 1. : 0.) + (gone ? 1. : 0.);
+
+            // Newton's estimate is off by less than the tolerance: no need
+            // to look
+            const bool last = step & sure & (-newton <= near*reach);
+            const double now =
+                2*(strikes | last ? 1. : 0.) + (gone & !last ? 1. : 0.);
             f.status[i] = live ? now : before;
             f.ended[i] = int(live ? now : before);
             f.t[i] = t0 + (step ? tau : 0.);
@@ -418,6 +427,91 @@ impactInline int cull
         surely += sinks;
     }
     return decide ? surely : 0;
+}
+
+template<bool box>
+impactInline void begin
+(
+    int from,
+    int to,
+    const smoothBody& b,
+    smoothFlights& __restrict__ f
+)
+{
+    const double J0 = b.J[0], J1 = b.J[1], J2 = b.J[2];
+    const double across = b.axis == 0 ? J1 : J0;
+    const double along = b.axis == 0 ? J0 : b.axis == 1 ? J1 : J2;
+    const double ratio = b.axis == 3 ? 0 : 1 - along/across;
+    const double along0 = b.axis == 0, along1 = b.axis == 1;
+    const double along2 = b.axis == 2;
+    const double R = b.radius;
+    const double bend = b.bend;
+    const double bounce = b.normal;
+    const double a0 = b.a[0], a1 = b.a[1], a2 = b.a[2];
+    for (int i = from; i < to; ++i)
+    {
+        const double wx = f.w[0][i], wy = f.w[1][i], wz = f.w[2][i];
+        const double Lx = J0*wx, Ly = J1*wy, Lz = J2*wz;
+        const double w2 = wx*wx + wy*wy + wz*wz;
+        const double L = std::sqrt(Lx*Lx + Ly*Ly + Lz*Lz);
+        const double unit = 1/nonZero(L);
+        const double Vx = f.V[0][i], Vy = f.V[1][i];
+        const double rise = bounce*f.approach[i];
+        const double fastest =
+            std::sqrt(Vx*Vx + Vy*Vy) + std::sqrt(w2)*R;
+        const double bound =
+            nonZero(bend*w2 + 1e-30*fastest*fastest/R);
+        const double least = 1e-10*R/(fastest + 1e-100);
+        f.axisL[0][i] = unit*Lx;
+        f.axisL[1][i] = unit*Ly;
+        f.axisL[2][i] = unit*Lz;
+        f.rateL[i] = L/across;
+        f.rateAxis[i] = ratio*(along0*wx + along1*wy + along2*wz);
+        f.t[i] = 0;
+        f.gap[i] = 0;
+        f.root[i] = 0;
+        f.reach[i] = std::sqrt(2/bound);
+        f.least[i] = least;
+        const double lift = 1.8*rise/bound;
+        double first = lift < 8e10*least ? lift : 8e10*least;
+        f.target[i] = 0;
+        if (box)
+        {
+            // Were the normal m(t) in body components linear in time, with
+            // m' = m x w, the height of the lowest corner were concave and
+            // made of straight pieces: Newton from a later time finds where
+            // it comes down to the wall
+            const double mx = f.ey[0][i], my = f.ey[1][i], mz = f.ey[2][i];
+            const double px = my*wz - mz*wy;
+            const double py = mz*wx - mx*wz;
+            const double pz = mx*wy - my*wx;
+            const double y = f.y[i];
+            const double slow = 1e-12*fastest + 1e-100;
+            double t = 2/(std::sqrt(w2) + 1e-100);
+            bool comes = true;
+            #pragma GCC unroll 3
+            for (int k = 0; k < 3; ++k)
+            {
+                const double qx = mx + t*px;
+                const double qy = my + t*py;
+                const double qz = mz + t*pz;
+                const double sx = qx < 0 ? -a0 : a0;
+                const double sy = qy < 0 ? -a1 : a1;
+                const double sz = qz < 0 ? -a2 : a2;
+                const double height = y + Vy*t - (sx*qx + sy*qy + sz*qz);
+                const double fall = sx*px + sy*py + sz*pz - Vy;
+                comes = comes & (height <= 0) & (fall > 0);
+                t = t + height/(std::fabs(fall) + slow);
+            }
+            comes = comes & (t > 0) & (t < 8e10*least);
+            f.target[i] = comes ? t : 0;
+
+            const double half = 0.55*t;
+            first = comes & (half < first) ? half : first;
+        }
+        f.tau[i] = first > least ? first : least;
+        f.status[i] = 0;
+    }
 }
 
 } // End anonymous namespace
@@ -556,47 +650,10 @@ impactKernel void smoothLaunch
     int from,
     int to,
     const smoothBody& b,
-    smoothFlights& __restrict__ f
+    smoothFlights& f
 )
 {
-    const double J0 = b.J[0], J1 = b.J[1], J2 = b.J[2];
-    const double across = b.axis == 0 ? J1 : J0;
-    const double along = b.axis == 0 ? J0 : b.axis == 1 ? J1 : J2;
-    const double ratio = b.axis == 3 ? 0 : 1 - along/across;
-    const double along0 = b.axis == 0, along1 = b.axis == 1;
-    const double along2 = b.axis == 2;
-    const double R = b.radius;
-    const double bend = b.bend;
-    const double bounce = b.normal;
-    for (int i = from; i < to; ++i)
-    {
-        const double wx = f.w[0][i], wy = f.w[1][i], wz = f.w[2][i];
-        const double Lx = J0*wx, Ly = J1*wy, Lz = J2*wz;
-        const double w2 = wx*wx + wy*wy + wz*wz;
-        const double L = std::sqrt(Lx*Lx + Ly*Ly + Lz*Lz);
-        const double unit = 1/nonZero(L);
-        const double Vx = f.V[0][i], Vy = f.V[1][i];
-        const double rise = bounce*f.approach[i];
-        const double fastest =
-            std::sqrt(Vx*Vx + Vy*Vy) + std::sqrt(w2)*R;
-        const double bound =
-            nonZero(bend*w2 + 1e-30*fastest*fastest/R);
-        const double least = 1e-10*R/(fastest + 1e-100);
-        f.axisL[0][i] = unit*Lx;
-        f.axisL[1][i] = unit*Ly;
-        f.axisL[2][i] = unit*Lz;
-        f.rateL[i] = L/across;
-        f.rateAxis[i] = ratio*(along0*wx + along1*wy + along2*wz);
-        f.t[i] = 0;
-        f.gap[i] = 0;
-        f.root[i] = 0;
-        f.reach[i] = std::sqrt(2/bound);
-        f.least[i] = least;
-        const double lift = 1.8*rise/bound;
-        const double first = lift < 8e10*least ? lift : 8e10*least;
-        f.tau[i] = first > least ? first : least;
-        f.status[i] = 0;
-    }
+    b.ellipsoid ? begin<false>(from, to, b, f) : begin<true>(from, to, b, f);
 }
 
 
