@@ -264,3 +264,18 @@ TEST(convexBody, refusesBadInput)
         convexBody::truncatedBox({1, 1, 1}, 0), std::invalid_argument
     );
 }
+
+
+TEST(convexBody, rollsNoBallInsideThatIsLargerThanItself)
+{
+    // Whose square over it rounds up for some: the search takes the root of
+    // the difference
+    for (int i = 1; i <= 1000; ++i)
+    {
+        const convexBody ball = convexBody::sphere(1e-6*i);
+        EXPECT_GE(ball.radius(), ball.leastCurvature());
+        EXPECT_NEAR(ball.leastCurvature()/ball.radius(), 1, 1e-15);
+    }
+    const convexBody egg = convexBody::ellipsoid({2, 1, 1});
+    EXPECT_NEAR(egg.leastCurvature(), 0.25, 1e-15);
+}

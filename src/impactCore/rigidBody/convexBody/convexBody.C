@@ -412,16 +412,25 @@ void impact::convexBody::setPolyhedron(surface s)
                 (vertices_[std::min(i, vertices_.size() - 1)][axis]);
         }
     }
-    for (const std::vector<edge>* list : {&edges_, &between})
+    for (int i = 0; i < int(vertices_.size()); ++i)
     {
-        for (int end = 0; end < 2; ++end)
+        firstSpoke_.push_back(int(spokes_.size()));
+        for (std::size_t k = 0; k < edges_.size(); ++k)
         {
-            for (std::size_t i = 0; i < padded(edges_.size()); ++i)
+            const edge& e = edges_[k];
+            if (e[0] == i || e[1] == i)
             {
-                paddedEdges_.push_back
-                    ((*list)[std::min(i, edges_.size() - 1)][end]);
+                const edge& faces = between[k];
+                spokes_.push_back
+                    ({e[0] == i ? e[1] : e[0], {faces[0], faces[1]}});
             }
         }
+    }
+    firstSpoke_.push_back(int(spokes_.size()));
+    for (const edge& e : edges_)
+    {
+        longestEdge_ = std::max
+            (longestEdge_, mag(vertices_[e[0]] - vertices_[e[1]]));
     }
 }
 
@@ -433,7 +442,10 @@ double impact::convexBody::leastCurvature() const
         return 0;
     }
     const double least = std::min({semiAxes_.x, semiAxes_.y, semiAxes_.z});
-    return least*least/radius_;
+
+    // least <= radius, but the quotient may round up: no ball is larger than
+    // the body
+    return std::min(least, least*least/radius_);
 }
 
 

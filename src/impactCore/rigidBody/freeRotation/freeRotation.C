@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "freeRotation.H"
+#include "rotationKernels.H"
 
 #include <algorithm>
 
@@ -89,58 +90,39 @@ void impact::freeRotation::expand()
         c[0][3*v + 1] = unit*start[v]->y;
         c[0][3*v + 2] = unit*start[v]->z;
     }
-    for (int n = 0; n < order; ++n)
-    {
-        double d[9] = {};
-        for (int i = 0; i <= n; ++i)
-        {
-            const double* a = c[i];
-            const double wx = c[n - i][6];
-            const double wy = c[n - i][7];
-            const double wz = c[n - i][8];
-            d[0] += a[1]*wz - a[2]*wy;
-            d[1] += a[2]*wx - a[0]*wz;
-            d[2] += a[0]*wy - a[1]*wx;
-            d[3] += a[4]*wz - a[5]*wy;
-            d[4] += a[5]*wx - a[3]*wz;
-            d[5] += a[3]*wy - a[4]*wx;
-            d[6] += a[7]*wz;
-            d[7] += a[8]*wx;
-            d[8] += a[6]*wy;
-        }
-        const double f = 1./(n + 1);
-        for (int v = 0; v < 6; ++v)
-        {
-            c[n + 1][v] = f*d[v];
-        }
-        c[n + 1][6] = f*kx*d[6];
-        c[n + 1][7] = f*ky*d[7];
-        c[n + 1][8] = f*kz*d[8];
-    }
+    const double k[3] = {kx, ky, kz};
+    rotationSeries(order, k, c);
 
     // Where the last three terms have fallen to the tolerance: the largest
-    // is compared, since single coefficients may vanish by symmetry
-    double reach = 1e3;
+    // coefficient of each is compared, since single ones may vanish
+    // by symmetry. The root of their ratio is taken to the next eighth of a
+    // power of two below, by a chord of the logarithm: a power function of
+    // the mathematics library may round differently on another machine.
+    static const double eighths[8] =
+    {
+        1, 0x1.172b83c7d517ap+0, 0x1.306fe0a31b715p+0, 0x1.4bfdad5362a27p+0,
+        0x1.6a09e667f3bccp+0, 0x1.8ace5422aa0dap+0, 0x1.ae89f995ad3acp+0,
+        0x1.d5818dcfba486p+0
+    };
+    int reach = 80;
     for (int n = order - 2; n <= order; ++n)
     {
-        double largest = 0;
+        double largest = 1e-100;
         for (double x : c[n])
         {
             largest = std::max(largest, std::fabs(x));
         }
-        if (largest > 0)
-        {
-            reach = std::min(reach, std::pow(1e-14/largest, 1./n));
-        }
+        int exponent;
+        const double mantissa = std::frexp(1e-14/largest, &exponent);
+        reach = std::min
+        (
+            reach,
+            int(std::floor(8*(exponent + 2*mantissa - 2)/n))
+        );
     }
-
-    // A power function may round differently on another machine: the horizon
-    // is rounded down to a power of two, which hides that
-    int exponent;
-    std::frexp(reach*(1 - 1e-9), &exponent);
-    const double mantissa = reach/std::ldexp(1., exponent - 1);
-    const double step = std::floor(8*mantissa*(1 - 1e-9))/8;
-    horizon_ = origin_ + std::ldexp(step, exponent - 1)*scale_;
+    const int power = int(std::floor(reach/8.));
+    horizon_ =
+        origin_ + std::ldexp(eighths[reach - 8*power], power)*scale_;
 }
 
 
@@ -156,17 +138,7 @@ void impact::freeRotation::evaluate(double t, rotationState& state) const
     {
         const double x = (t - origin_)/scale_;
         double v[9];
-        for (int i = 0; i < 9; ++i)
-        {
-            v[i] = series_[order][i];
-        }
-        for (int n = order - 1; n >= 0; --n)
-        {
-            for (int i = 0; i < 9; ++i)
-            {
-                v[i] = series_[n][i] + x*v[i];
-            }
-        }
+        rotationSum(order, series_, x, v);
         const double unit = 1/scale_;
         state.ex = {v[0], v[1], v[2]};
         state.ey = {v[3], v[4], v[5]};

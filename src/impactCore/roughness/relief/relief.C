@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -442,6 +443,92 @@ void impact::reliefPiece::grow(std::int64_t i)
     {
         generate(last_, std::max(i + 1, last_ + chunk), false);
     }
+}
+
+
+double impact::reliefPiece::firstReach
+(
+    double x,
+    double y,
+    double Vx,
+    double Vy,
+    double deep,
+    double wide,
+    double t,
+    std::int64_t& hint,
+    bool& lost
+)
+{
+    const double infinite = std::numeric_limits<double>::infinity();
+    const double bottom = y - deep;
+    const double top = relief_->top();
+
+    // Above everything: straight down to the highest top there may be
+    double start = t;
+    if (bottom + Vy*t > top)
+    {
+        if (Vy >= 0)
+        {
+            return infinite;
+        }
+        start = t + (top - bottom - Vy*t)/Vy;
+    }
+    const double xs = x + Vx*start;
+    const int step = Vx < 0 ? -1 : 1;
+    std::int64_t n = find(Vx < 0 ? xs + wide : xs - wide, hint);
+    hint = n;
+    double found = infinite;
+    for (int count = 0; ; ++count, n += step)
+    {
+        const relief::interval& s = at(n);
+
+        // The rectangle is over this interval from 'enter' to 'leave'
+        double enter = start;
+        double leave = infinite;
+        if (Vx > 0)
+        {
+            enter = std::max(start, (s.x0 - wide - x)/Vx);
+            leave = (s.x1 + wide - x)/Vx;
+        }
+        else if (Vx < 0)
+        {
+            enter = std::max(start, (s.x1 + wide - x)/Vx);
+            leave = (s.x0 - wide - x)/Vx;
+        }
+        else if (s.x0 > xs + wide)
+        {
+            break;
+        }
+        if (enter >= found)
+        {
+            break;
+        }
+        const double room = bottom + Vy*enter - s.top;
+        if (room <= 0)
+        {
+            found = std::min(found, enter);
+        }
+        else if (Vy < 0)
+        {
+            const double reach = enter - room/Vy;
+            if (reach <= leave)
+            {
+                found = std::min(found, reach);
+            }
+        }
+        if (Vy >= 0 && bottom + Vy*enter > top)
+        {
+            break;
+        }
+        if (count > 10000000)
+        {
+            lost = true;
+            break;
+        }
+    }
+    // Round-off must not carry past
+    return found == infinite ? found
+        : std::max(t, found - 1e-12*(found - t));
 }
 
 

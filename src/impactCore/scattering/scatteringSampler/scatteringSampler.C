@@ -2,7 +2,8 @@
     parcelImpact. License: GPL-3.0-or-later, see COPYING.
 \*---------------------------------------------------------------------------*/
 
-#include "scatteringSampler.H"
+#include "samplerWorkspace.H"
+#include "scatteringKernels.H"
 #include "philoxLanes.H"
 
 #include <algorithm>
@@ -36,154 +37,7 @@ struct draws
     }
 };
 
-
-//- Numbers of the lanes that may come back; with 'decide' less those that
-//  surely do, which are counted
-int mayReturn
-(
-    int n,
-    const impact::smoothBody& body,
-    const impact::smoothLanes& lanes,
-    bool decide,
-    int* id,
-    int& surely
-)
-{
-    double may[impact::smoothBatch];
-    impact::smoothCull(n, body, lanes, may);
-    surely = 0;
-    int m = 0;
-    for (int i = 0; i < n; ++i)
-    {
-        const bool sure = decide && may[i] == 2;
-        id[m] = i;
-        m += may[i] > 0 && !sure;
-        surely += sure;
-    }
-    return m;
-}
-
-
-//- Move the flights that go on to the front, return their number
-int keepInFlight(int n, impact::smoothFlights& f)
-{
-    int keep[impact::smoothBatch + 1];
-    int m = 0;
-    for (int i = 0; i < n; ++i)
-    {
-        keep[m] = i;
-        m += f.status[i] == 0;
-    }
-    if (m == n)
-    {
-        return m;
-    }
-    typedef impact::smoothFlights::lane lane;
-    lane* const fields[] =
-    {
-        &f.ey[0], &f.ey[1], &f.ey[2], &f.w[0], &f.w[1], &f.w[2],
-        &f.axisL[0], &f.axisL[1], &f.axisL[2], &f.rateL, &f.rateAxis,
-        &f.y, &f.Vy, &f.t, &f.gap, &f.tau, &f.reach, &f.least, &f.status
-    };
-    for (lane* field : fields)
-    {
-        double* x = *field;
-        for (int i = 0; i < m; ++i)
-        {
-            x[i] = x[keep[i]];
-        }
-    }
-    for (int i = 0; i < m; ++i)
-    {
-        f.id[i] = f.id[keep[i]];
-    }
-    return m;
-}
-
-
-//- Copy state and contact point of n lanes; a null list is 0, 1, 2, ...
-void copyLanes
-(
-    int n,
-    const int* from,
-    const int* to,
-    const impact::smoothLanes& a,
-    impact::smoothLanes& b
-)
-{
-    for (int c = 0; c < 3; ++c)
-    {
-        for (int i = 0; i < n; ++i)
-        {
-            const int p = from ? from[i] : i;
-            const int q = to ? to[i] : i;
-            b.ex[c][q] = a.ex[c][p];
-            b.ey[c][q] = a.ey[c][p];
-            b.w[c][q] = a.w[c][p];
-            b.V[c][q] = a.V[c][p];
-            b.r[c][q] = a.r[c][p];
-        }
-    }
-    for (int i = 0; i < n; ++i)
-    {
-        b.approach[to ? to[i] : i] = a.approach[from ? from[i] : i];
-    }
-}
-
-
-//- Counts over the visits of a block
-struct visitCounts
-{
-    std::int64_t impacts = 0, micro = 0, into = 0, second = 0;
-    std::int64_t pulling = 0, gaining = 0, capped = 0;
-
-    //- What an impact or more of one visit add
-    void addImpacts(const impact::visitResult& r)
-    {
-        impacts += r.impacts;
-        micro += r.microImpacts;
-        pulling += r.pulling;
-        gaining += r.gaining;
-        capped += r.capped;
-    }
-
-    void addTo(impact::scatteringStatistics& result) const
-    {
-        typedef impact::scatteringStatistics S;
-        result.count(S::impacts, impacts);
-        result.count(S::microImpacts, micro);
-        result.count(S::intoWall, into);
-        result.count(S::secondImpact, second);
-        result.count(S::pulling, pulling);
-        result.count(S::gaining, gaining);
-        result.count(S::capped, capped);
-    }
-};
-
 } // End anonymous namespace
-
-
-struct impact::scatteringSampler::workspace
-{
-    reliefPiece piece;
-    std::int64_t pieceIdentity = -1;
-
-    //- Velocities after the last impact, by particle of the block
-    double Vx[blockSize], Vy[blockSize], Vz[blockSize];
-    double spinEnergy[blockSize];
-    unsigned char profileBlock[blockSize];
-
-    smoothLanes lanes, struck, start;
-    smoothFlights flights;
-
-    workspace(const relief& r, std::uint64_t seed)
-    :
-        piece(r, seed),
-        flights()
-    {
-        std::fill_n(flights.ey[0], smoothBatch, 1.);
-    }
-};
 
 
 impact::scatteringSampler::scatteringSampler(const setup& s)
@@ -274,6 +128,7 @@ impact::scatteringSampler::scatteringSampler(const setup& s)
         {
             --perPiece_;
         }
+        setRoughBody();
     }
 }
 
@@ -378,181 +233,6 @@ std::vector<impact::visitResult> impact::scatteringSampler::visits
 }
 
 
-void impact::scatteringSampler::sampleSmooth
-(
-    std::int64_t first,
-    int n,
-    workspace& w,
-    scatteringStatistics& result
-) const
-{
-    if (setup_.law.law() != reboundLaw::lawType::restitution)
-    {
-        sampleRough(first, n, w, result);
-        return;
-    }
-    const bool decide =
-        setup_.treatment == wallVisit::treatmentType::firstImpact;
-    const double small = 1e-3*mag(V1_);
-    const double V[3] = {V1_.x, V1_.y, V1_.z};
-    const double spin[3] = {setup_.spin.x, setup_.spin.y, setup_.spin.z};
-    const vector3& J = setup_.body.inertia();
-    visitCounts total;
-    smoothLanes& l = w.lanes;
-    smoothFlights& f = w.flights;
-
-    auto tally = [&](const smoothLanes& lanes, int m)
-    {
-        int counts[4];
-        smoothTally(m, small, lanes, counts);
-        total.impacts += counts[0];
-        total.micro += m - counts[0];
-        total.pulling += counts[1];
-        total.gaining += counts[2];
-        return counts[3];
-    };
-
-    // The rest of one visit outside the kernels, from the state after
-    // 'number' impacts
-    auto finish = [&](int i, int number)
-    {
-        bodyState b;
-        b.rotation.ex = {l.ex[0][i], l.ex[1][i], l.ex[2][i]};
-        b.rotation.ey = {l.ey[0][i], l.ey[1][i], l.ey[2][i]};
-        b.rotation.omega = {l.w[0][i], l.w[1][i], l.w[2][i]};
-        b.V = {l.V[0][i], l.V[1][i], l.V[2][i]};
-        b.x = 0.5*flat_.period();
-        b.y =
-           -(
-                l.r[0][i]*l.ey[0][i] + l.r[1][i]*l.ey[1][i]
-              + l.r[2][i]*l.ey[2][i]
-            );
-        const visitResult r = visit_.resume(b, number, w.piece, 0);
-        total.addImpacts(r);
-        total.second += number == 1 && r.second;
-        l.V[0][i] = r.state.V.x;
-        l.V[1][i] = r.state.V.y;
-        l.V[2][i] = r.state.V.z;
-        l.w[0][i] = r.state.rotation.omega.x;
-        l.w[1][i] = r.state.rotation.omega.y;
-        l.w[2][i] = r.state.rotation.omega.z;
-    };
-
-    for (int from = 0; from < n; from += smoothBatch)
-    {
-        const int m = std::min(smoothBatch, n - from);
-        smoothArrive
-        (
-            setup_.orientation == orientationLaw::isotropic, setup_.seed,
-            first + from, m, V, spin, smooth_, l
-        );
-        smoothImpact(m, smooth_, l);
-        total.into += tally(l, m);
-
-        // Bodies of this round, by place in the batch
-        int place[smoothBatch + 1];
-        int surely = 0;
-        int inFlight = mayReturn(m, smooth_, l, decide, place, surely);
-        total.second += surely;
-        if (!vectorFlights_)
-        {
-            for (int i = 0; i < inFlight; ++i)
-            {
-                finish(place[i], 1);
-            }
-        }
-        else
-        {
-            copyLanes(inFlight, place, nullptr, l, w.start);
-            smoothLaunch(inFlight, smooth_, w.start, f);
-            std::copy_n(place, inFlight, f.id);
-            for (int round = 1; inFlight > 0; ++round)
-            {
-                int nStruck = 0;
-                int struckId[smoothBatch];
-                double struckTime[smoothBatch];
-                for (int pass = 0; inFlight > 0; ++pass)
-                {
-                    // Whole vectors: what lies behind the last flight is
-                    // an old one, and harmless
-                    smoothAdvance
-                    (
-                        (inFlight + 7) & ~7, smooth_, decide, f
-                    );
-                    int ended = 0;
-                    for (int i = 0; i < inFlight; ++i)
-                    {
-                        ended += f.status[i] != 0;
-                    }
-                    if (pass > 100)
-                    {
-                        // Hardly ever: left to the general search
-                        for (int i = 0; i < inFlight; ++i)
-                        {
-                            if (f.status[i] == 0)
-                            {
-                                finish(f.id[i], round);
-                                f.status[i] = 1;
-                            }
-                        }
-                        ended = inFlight;
-                    }
-                    if (3*ended >= inFlight)
-                    {
-                        for (int i = 0; i < inFlight; ++i)
-                        {
-                            if (f.status[i] == 2)
-                            {
-                                struckId[nStruck] = f.id[i];
-                                struckTime[nStruck++] = f.t[i] + f.tau[i];
-                            }
-                        }
-                        inFlight = keepInFlight(inFlight, f);
-                    }
-                }
-                if (round == 1)
-                {
-                    total.second += nStruck;
-                }
-                if (decide || nStruck == 0)
-                {
-                    break;
-                }
-                if (round + 1 > setup_.maxImpacts)
-                {
-                    total.capped += nStruck;
-                    break;
-                }
-                smoothLanes& s = w.struck;
-                copyLanes(nStruck, struckId, nullptr, l, s);
-                smoothTurn(nStruck, smooth_, struckTime, s);
-                smoothImpact(nStruck, smooth_, s);
-                tally(s, nStruck);
-                copyLanes(nStruck, nullptr, struckId, s, l);
-                inFlight =
-                    mayReturn(nStruck, smooth_, s, false, place, surely);
-                copyLanes(inFlight, place, nullptr, s, w.start);
-                smoothLaunch(inFlight, smooth_, w.start, f);
-                for (int i = 0; i < inFlight; ++i)
-                {
-                    f.id[i] = struckId[place[i]];
-                }
-            }
-        }
-        for (int i = 0; i < m; ++i)
-        {
-            w.Vx[from + i] = l.V[0][i];
-            w.Vy[from + i] = l.V[1][i];
-            w.Vz[from + i] = l.V[2][i];
-            w.spinEnergy[from + i] =
-                J.x*l.w[0][i]*l.w[0][i] + J.y*l.w[1][i]*l.w[1][i]
-              + J.z*l.w[2][i]*l.w[2][i];
-        }
-    }
-    total.addTo(result);
-}
-
-
 void impact::scatteringSampler::sampleRough
 (
     std::int64_t first,
@@ -598,7 +278,11 @@ void impact::scatteringSampler::sampleBlock
     scatteringStatistics& result
 ) const
 {
-    if (setup_.wall)
+    if (vectorRough_)
+    {
+        sampleRandomRelief(first, n, w, result);
+    }
+    else if (setup_.wall)
     {
         sampleRough(first, n, w, result);
     }
@@ -607,12 +291,14 @@ void impact::scatteringSampler::sampleBlock
         sampleSmooth(first, n, w, result);
     }
     double translation = 0, rotation = 0;
-    for (int i = 0; i < n; ++i)
+    for (const double* component : {w.Vx, w.Vy, w.Vz})
     {
-        translation +=
-            w.Vx[i]*w.Vx[i] + w.Vy[i]*w.Vy[i] + w.Vz[i]*w.Vz[i];
-        rotation += w.spinEnergy[i];
+        double sum, squares;
+        sumAndSquares(n, component, sum, squares);
+        translation += squares;
     }
+    double unused;
+    sumAndSquares(n, w.spinEnergy, rotation, unused);
     const double unit = 1/(setup_.speed*setup_.speed);
     result.addBlock(scatteringStatistics::translational, unit*translation);
     result.addBlock(scatteringStatistics::rotational, unit*rotation);

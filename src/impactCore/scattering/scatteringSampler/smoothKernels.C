@@ -221,6 +221,7 @@ impactInline void advance
     const double a0 = b.a[0], a1 = b.a[1], a2 = b.a[2];
     const double R = b.radius;
     const double tolerance = 1e-11*R;
+    const double near = std::sqrt(0.5*tolerance);
     for (int i = 0; i < n; ++i)
     {
         const double tau = f.tau[i];
@@ -238,21 +239,21 @@ impactInline void advance
         double rx, ry, rz;
         const double h =
             lowest(ellipsoid, a0, a1, a2, mx, my, mz, rx, ry, rz);
-        const double y1 = f.y[i] + f.Vy[i]*t1;
+        const double y1 = f.y[i] + f.V[1][i]*t1;
         const double g1 = y1 - h;
 
         // As in wallVisit::search
         const double reach = f.reach[i];
         const double least = f.least[i];
         const double longest = 8e10*least;
-        const double root0 = std::sqrt(g0);
+        const double root0 = f.root[i];
         const double above = positivePart(g1);
         const double root1 = std::sqrt(above);
         const bool pierced = g1 < -tolerance;
         const bool shortest = tau <= least;
         const bool clear =
             ((root0 + root1)*reach > tau) | (!pierced & shortest);
-        const bool gone = !pierced & clear & (f.Vy[i] > 0) & (y1 > R);
+        const bool gone = !pierced & clear & (f.V[1][i] > 0) & (y1 > R);
         if (decide)
         {
             const bool step = live & !pierced & clear;
@@ -261,8 +262,10 @@ impactInline void advance
                 step ? (longer > least ? longer : least) : 0.5*tau;
             const double now = 2*(pierced ? 1. : 0.) + (gone ? 1. : 0.);
             f.status[i] = live ? now : before;
+            f.ended[i] = int(live ? now : before);
             f.t[i] = t0 + (step ? tau : 0.);
             f.gap[i] = step ? above : g0;
+            f.root[i] = step ? root1 : root0;
             const double next = trial < longest ? trial : longest;
             f.tau[i] = next > least ? next : least;
         }
@@ -270,11 +273,11 @@ impactInline void advance
         {
             double wx = f.w[0][i], wy = f.w[1][i], wz = f.w[2][i];
             turnAxis<axis>(s, c, wx, wy, wz);
-            const double rate1 = f.Vy[i]
+            const double rate1 = f.V[1][i]
               + mx*(wy*rz - wz*ry) + my*(wz*rx - wx*rz)
               + mz*(wx*ry - wy*rx);
             const bool falling = rate1 < 0;
-            const double slope = -nonZero(std::fabs(rate1));
+            const double inverse = -1/nonZero(std::fabs(rate1));
             const bool strikes =
                 (pierced & shortest)
              | (!pierced & clear & falling & (g1 <= tolerance));
@@ -282,7 +285,8 @@ impactInline void advance
 
             // Pierced: Newton's step back, or the chord's, and not beyond
             // what is certain
-            double back = tau - g1/slope;
+            const double newton = (pierced ? g1 : above)*inverse;
+            double back = tau - newton;
             const double chord =
                 tau*g0/(std::fabs(g0 - g1) + 1e-30*R);
             back = falling & (back > 0) & (back < tau) ? back : chord;
@@ -299,16 +303,25 @@ impactInline void advance
             // Certain: on from there
             const double ahead =
                 0.9*reach*(reach*rate1 + 2*root1);
-            const double newton = -above/slope;
-            const double longer =
-                falling & (newton < 0.99*reach*root1) ? newton : ahead;
+            const bool sure = falling & (-newton < 0.99*reach*root1);
+            const double left = f.target[i] - t1;
+            const double hence =
+                (!ellipsoid) & (left > 0) & (left < ahead) ? left : ahead;
+            const double longer = sure ? -newton : hence;
 
             const double trial =
                 pierced ? back : step ? longer : shorter;
-            const double now = 2*(strikes ? 1. : 0.) + (gone ? 1. : 0.);
+
+            // Newton's estimate is off by less than the tolerance: no need
+            // to look
+            const bool last = step & sure & (-newton <= near*reach);
+            const double now =
+                2*(strikes | last ? 1. : 0.) + (gone & !last ? 1. : 0.);
             f.status[i] = live ? now : before;
+            f.ended[i] = int(live ? now : before);
             f.t[i] = t0 + (step ? tau : 0.);
             f.gap[i] = step ? above : g0;
+            f.root[i] = step ? root1 : root0;
             const double capped = trial < longest ? trial : longest;
             const double next = capped > least ? capped : least;
             f.tau[i] = strikes | !live ? tau : next;
@@ -361,6 +374,143 @@ impactInline void turnLanes
         l.w[0][i] = wx;
         l.w[1][i] = wy;
         l.w[2][i] = wz;
+    }
+}
+
+template<bool ellipsoid, bool box>
+impactInline int cull
+(
+    int n,
+    const smoothBody& b,
+    const smoothLanes& __restrict__ l,
+    bool decide,
+    int* __restrict__ mayReturn
+)
+{
+    const int ifSure = decide ? 0 : 1;
+    int surely = 0;
+    const double R = b.radius;
+    const double offset = b.offset;
+    const double bend = b.bend;
+    const double a0 = b.a[0], a1 = b.a[1], a2 = b.a[2];
+    const double bounce = ellipsoid ? b.normal : 0;
+    for (int i = 0; i < n; ++i)
+    {
+        const double wx = l.w[0][i], wy = l.w[1][i], wz = l.w[2][i];
+        const double mx = l.ey[0][i], my = l.ey[1][i], mz = l.ey[2][i];
+        const double w2 = wx*wx + wy*wy + wz*wz;
+        const double Vy = l.V[1][i];
+        const double y = -(l.r[0][i]*mx + l.r[1][i]*my + l.r[2][i]*mz);
+
+        // Rises faster than any lowest point can sink; or is out of reach
+        // after the time (R - y)/Vy, before which rise t - bend w^2 t^2/2 > 0
+        // (of an ellipsoid: another corner of a box may be sinking already)
+        const double rise = bounce*l.approach[i];
+        const double needed = bend*w2*(R - y);
+
+        // A box: with the normal m(t) in body components and m' = m x w, no
+        // corner is lower than y + Vy t - h(m + t m') - bend w^2 t^2/2, h the
+        // support of the box. This is concave in t and 0 at t = 0: if it is
+        // positive when the body gets out of reach it was so before
+        const double up = positivePart(Vy) + 1e-9*R*std::sqrt(w2);
+        const double T = (R - y)/nonZero(up);
+        const double depth =
+            a0*std::fabs(mx + T*(my*wz - mz*wy))
+          + a1*std::fabs(my + T*(mz*wx - mx*wz))
+          + a2*std::fabs(mz + T*(mx*wy - my*wx));
+        const bool clear = box & (R - depth > 0.5*bend*w2*T*T + 1e-9*R);
+        const bool gone = (Vy > 0)
+          & ((Vy*Vy >= offset*offset*w2) | (2*rise*Vy >= needed) | clear);
+        const int sinks = Vy > 0 ? 0 : 1;
+        const int stays = gone ? 0 : 1;
+        mayReturn[i] = sinks ? ifSure : stays;
+        surely += sinks;
+    }
+    return decide ? surely : 0;
+}
+
+template<bool box>
+impactInline void begin
+(
+    int from,
+    int to,
+    const smoothBody& b,
+    smoothFlights& __restrict__ f
+)
+{
+    const double J0 = b.J[0], J1 = b.J[1], J2 = b.J[2];
+    const double across = b.axis == 0 ? J1 : J0;
+    const double along = b.axis == 0 ? J0 : b.axis == 1 ? J1 : J2;
+    const double ratio = b.axis == 3 ? 0 : 1 - along/across;
+    const double along0 = b.axis == 0, along1 = b.axis == 1;
+    const double along2 = b.axis == 2;
+    const double R = b.radius;
+    const double bend = b.bend;
+    const double bounce = b.normal;
+    const double a0 = b.a[0], a1 = b.a[1], a2 = b.a[2];
+    for (int i = from; i < to; ++i)
+    {
+        const double wx = f.w[0][i], wy = f.w[1][i], wz = f.w[2][i];
+        const double Lx = J0*wx, Ly = J1*wy, Lz = J2*wz;
+        const double w2 = wx*wx + wy*wy + wz*wz;
+        const double L = std::sqrt(Lx*Lx + Ly*Ly + Lz*Lz);
+        const double unit = 1/nonZero(L);
+        const double Vx = f.V[0][i], Vy = f.V[1][i];
+        const double rise = bounce*f.approach[i];
+        const double fastest =
+            std::sqrt(Vx*Vx + Vy*Vy) + std::sqrt(w2)*R;
+        const double bound =
+            nonZero(bend*w2 + 1e-30*fastest*fastest/R);
+        const double least = 1e-10*R/(fastest + 1e-100);
+        f.axisL[0][i] = unit*Lx;
+        f.axisL[1][i] = unit*Ly;
+        f.axisL[2][i] = unit*Lz;
+        f.rateL[i] = L/across;
+        f.rateAxis[i] = ratio*(along0*wx + along1*wy + along2*wz);
+        f.t[i] = 0;
+        f.gap[i] = 0;
+        f.root[i] = 0;
+        f.reach[i] = std::sqrt(2/bound);
+        f.least[i] = least;
+        const double lift = 1.8*rise/bound;
+        double first = lift < 8e10*least ? lift : 8e10*least;
+        f.target[i] = 0;
+        if (box)
+        {
+            // Were the normal m(t) in body components linear in time, with
+            // m' = m x w, the height of the lowest corner were concave and
+            // made of straight pieces: Newton from a later time finds where
+            // it comes down to the wall
+            const double mx = f.ey[0][i], my = f.ey[1][i], mz = f.ey[2][i];
+            const double px = my*wz - mz*wy;
+            const double py = mz*wx - mx*wz;
+            const double pz = mx*wy - my*wx;
+            const double y = f.y[i];
+            const double slow = 1e-12*fastest + 1e-100;
+            double t = 2/(std::sqrt(w2) + 1e-100);
+            bool comes = true;
+            #pragma GCC unroll 3
+            for (int k = 0; k < 3; ++k)
+            {
+                const double qx = mx + t*px;
+                const double qy = my + t*py;
+                const double qz = mz + t*pz;
+                const double sx = qx < 0 ? -a0 : a0;
+                const double sy = qy < 0 ? -a1 : a1;
+                const double sz = qz < 0 ? -a2 : a2;
+                const double height = y + Vy*t - (sx*qx + sy*qy + sz*qz);
+                const double fall = sx*px + sy*py + sz*pz - Vy;
+                comes = comes & (height <= 0) & (fall > 0);
+                t = t + height/(std::fabs(fall) + slow);
+            }
+            comes = comes & (t > 0) & (t < 8e10*least);
+            f.target[i] = comes ? t : 0;
+
+            const double half = 0.55*t;
+            first = comes & (half < first) ? half : first;
+        }
+        f.tau[i] = first > least ? first : least;
+        f.status[i] = 0;
     }
 }
 
@@ -418,17 +568,23 @@ impactKernel void smoothImpact
         const double vn = dot(Vc, n_);
         const vector3 dVc = tangent*Vc - (bounce*vn)*n_;
 
-        // spinChange() of reboundLaw.H
+        // spinChange() of reboundLaw.H, all over the product of the three
+        // pivots: two divisions instead of four
         const double r2 = dot(r, r);
-        const double ix = 1/(J0 + r2);
-        const double iy = 1/(J1 + r2);
-        const double iz = 1/(J2 + r2);
+        const double dx = J0 + r2, dy = J1 + r2, dz = J2 + r2;
+        const double px = dy*dz, py = dz*dx, pz = dx*dy;
+        const double inverse = 1/(dx*px);
         const vector3 m = cross(r, dVc);
-        const vector3 q = {ix*m.x, iy*m.y, iz*m.z};
-        const vector3 d = {ix*r.x, iy*r.y, iz*r.z};
+        const vector3 q = {px*m.x, py*m.y, pz*m.z};
+        const vector3 d = {px*r.x, py*r.y, pz*r.z};
         const double rest = J0*r.x*d.x + J1*r.y*d.y + J2*r.z*d.z;
         const double f = dot(r, q)*r2/rest;
-        const vector3 dw = {q.x + f*d.x, q.y + f*d.y, q.z + f*d.z};
+        const vector3 dw =
+        {
+            inverse*(q.x + f*d.x),
+            inverse*(q.y + f*d.y),
+            inverse*(q.z + f*d.z)
+        };
         const vector3 dV = dVc - cross(dw, r);
 
         const vector3 H = {J0*w.x, J1*w.y, J2*w.z};
@@ -474,94 +630,30 @@ impactKernel void smoothTally
 }
 
 
-impactKernel void smoothCull
+impactKernel int smoothCull
 (
     int n,
     const smoothBody& b,
-    const smoothLanes& __restrict__ l,
-    double* __restrict__ mayReturn
+    const smoothLanes& l,
+    bool decide,
+    int* mayReturn
 )
 {
-    const double R = b.radius;
-    const double offset = b.offset;
-    const double bend = b.bend;
-    const double bounce = b.ellipsoid ? b.normal : 0;
-    for (int i = 0; i < n; ++i)
-    {
-        const double wx = l.w[0][i], wy = l.w[1][i], wz = l.w[2][i];
-        const double w2 = wx*wx + wy*wy + wz*wz;
-        const double Vy = l.V[1][i];
-        const double y =
-           -(
-                l.r[0][i]*l.ey[0][i] + l.r[1][i]*l.ey[1][i]
-              + l.r[2][i]*l.ey[2][i]
-            );
-        // Rises faster than any lowest point can sink; or is out of reach
-        // after (R - y)/Vy, before which rise t - bend w^2 t^2/2 > 0 (of an
-        // ellipsoid: another corner of a box may be sinking already)
-        const double rise = bounce*l.approach[i];
-        const bool gone = (Vy > 0)
-          & ((Vy*Vy >= offset*offset*w2)
-          | (2*rise*Vy >= bend*w2*(R - y)));
-        mayReturn[i] = gone ? 0. : Vy > 0 ? 1. : 2.;
-    }
+    return b.ellipsoid ? cull<true, false>(n, b, l, decide, mayReturn)
+      : b.vertices ? cull<false, false>(n, b, l, decide, mayReturn)
+      : cull<false, true>(n, b, l, decide, mayReturn);
 }
 
 
 impactKernel void smoothLaunch
 (
-    int n,
+    int from,
+    int to,
     const smoothBody& b,
-    const smoothLanes& __restrict__ l,
-    smoothFlights& __restrict__ f
+    smoothFlights& f
 )
 {
-    const double J0 = b.J[0], J1 = b.J[1], J2 = b.J[2];
-    const double across = b.axis == 0 ? J1 : J0;
-    const double along = b.axis == 0 ? J0 : b.axis == 1 ? J1 : J2;
-    const double ratio = b.axis == 3 ? 0 : 1 - along/across;
-    const double along0 = b.axis == 0, along1 = b.axis == 1;
-    const double along2 = b.axis == 2;
-    const double R = b.radius;
-    const double bend = b.bend;
-    const double bounce = b.normal;
-    for (int i = 0; i < n; ++i)
-    {
-        const double wx = l.w[0][i], wy = l.w[1][i], wz = l.w[2][i];
-        const double Lx = J0*wx, Ly = J1*wy, Lz = J2*wz;
-        const double w2 = wx*wx + wy*wy + wz*wz;
-        const double L = std::sqrt(Lx*Lx + Ly*Ly + Lz*Lz);
-        const double unit = 1/nonZero(L);
-        const double mx = l.ey[0][i], my = l.ey[1][i], mz = l.ey[2][i];
-        const double Vx = l.V[0][i], Vy = l.V[1][i];
-        const double rise = bounce*l.approach[i];
-        const double fastest =
-            std::sqrt(Vx*Vx + Vy*Vy) + std::sqrt(w2)*R;
-        const double bound =
-            nonZero(bend*w2 + 1e-30*fastest*fastest/R);
-        const double least = 1e-10*R/(fastest + 1e-100);
-        f.ey[0][i] = mx;
-        f.ey[1][i] = my;
-        f.ey[2][i] = mz;
-        f.w[0][i] = wx;
-        f.w[1][i] = wy;
-        f.w[2][i] = wz;
-        f.axisL[0][i] = unit*Lx;
-        f.axisL[1][i] = unit*Ly;
-        f.axisL[2][i] = unit*Lz;
-        f.rateL[i] = L/across;
-        f.rateAxis[i] = ratio*(along0*wx + along1*wy + along2*wz);
-        f.y[i] = -(l.r[0][i]*mx + l.r[1][i]*my + l.r[2][i]*mz);
-        f.Vy[i] = Vy;
-        f.t[i] = 0;
-        f.gap[i] = 0;
-        f.reach[i] = std::sqrt(2/bound);
-        f.least[i] = least;
-        const double lift = 1.8*rise/bound;
-        const double first = lift < 8e10*least ? lift : 8e10*least;
-        f.tau[i] = first > least ? first : least;
-        f.status[i] = 0;
-    }
+    b.ellipsoid ? begin<false>(from, to, b, f) : begin<true>(from, to, b, f);
 }
 
 

@@ -7,6 +7,8 @@
 #include "scatteringKernels.H"
 #include "elementary.H"
 
+#include <cstring>
+
 namespace impact
 {
 
@@ -41,7 +43,41 @@ impactKernel void directionAngles
         p = p < nBins ? p : nBins - 1;
         q = q < nBins ? q : nBins - 1;
         q = q < 0 ? 0 : q;
-        bin[i] = a >= 0 ? p*nBins + q : -1;
+        bin[i] = a >= 0 ? p*nBins + q : nBins*nBins;
+    }
+}
+
+
+impactKernel void sumAndSquares
+(
+    int n,
+    const double* __restrict__ x,
+    double& sum,
+    double& squares
+)
+{
+    const int lanes = 8;
+    typedef double row
+        __attribute__((vector_size(lanes*sizeof(double)), aligned(8)));
+    row s = {}, q = {};
+    const int whole = n/lanes*lanes;
+    for (int i = 0; i < whole; i += lanes)
+    {
+        row v;
+        std::memcpy(&v, x + i, sizeof(v));
+        s += v;
+        q += v*v;
+    }
+    sum = squares = 0;
+    for (int i = whole; i < n; ++i)
+    {
+        sum += x[i];
+        squares += x[i]*x[i];
+    }
+    for (int k = 0; k < lanes; ++k)
+    {
+        sum += s[k];
+        squares += q[k];
     }
 }
 

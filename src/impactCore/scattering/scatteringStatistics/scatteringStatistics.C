@@ -57,7 +57,7 @@ impact::scatteringStatistics::scatteringStatistics
         throw std::invalid_argument(text.str());
     }
     nAlpha_ = int(std::round(bins));
-    counts_.assign(std::size_t(nAlpha_)*nAlpha_, 0);
+    counts_.assign(std::size_t(nAlpha_)*nAlpha_ + 1, 0);
     if (sharedRelief)
     {
         blocks_.assign(std::size_t(profileBlocks)*(nAlpha_ + 1), 0);
@@ -86,19 +86,25 @@ void impact::scatteringStatistics::addDirections
             m, Vx + from, Vy + from, Vz + from, reference_,
             nAlpha_/180., nAlpha_, a, b, bins
         );
+        double parts[4];
+        sumAndSquares(m, a, parts[0], parts[1]);
+        sumAndSquares(m, b, parts[2], parts[3]);
+        for (int k = 0; k < 4; ++k)
+        {
+            sums[k] += parts[k];
+        }
+        int back = 0;
         for (int i = 0; i < m; ++i)
         {
-            sums[0] += a[i];
-            sums[1] += a[i]*a[i];
-            sums[2] += b[i];
-            sums[3] += b[i]*b[i];
-            if (bins[i] >= 0)
-            {
-                ++counts_[bins[i]];
-            }
-            const bool back = Vx[from + i] < 0;
-            counters_[backward] += back;
+            back += Vx[from + i] < 0;
         }
+        counters_[backward] += back;
+
+        for (int i = 0; i < m; ++i)
+        {
+            ++counts_[bins[i]];
+        }
+        const int nBins = nAlpha_*nAlpha_;
         if (profileBlock)
         {
             for (int i = 0; i < m; ++i)
@@ -106,7 +112,7 @@ void impact::scatteringStatistics::addDirections
                 std::int64_t* block =
                     &blocks_[profileBlock[from + i]*(nAlpha_ + 1)];
                 ++block[nAlpha_];
-                if (bins[i] >= 0)
+                if (bins[i] < nBins)
                 {
                     ++block[bins[i]/nAlpha_];
                 }

@@ -60,31 +60,4 @@ impactKernel void shadowGaps
     }
 }
 
-
-impactKernel void edgeBounds
-(
-    int n,
-    const int* __restrict__ edges,
-    const double* __restrict__ X,
-    const double* __restrict__ gap,
-    const double* __restrict__ facing,
-    double crest,
-    double* __restrict__ bound
-)
-{
-    const int* __restrict__ a = edges;
-    const int* __restrict__ b = edges + n;
-    const int* __restrict__ fa = edges + 2*n;
-    const int* __restrict__ fb = edges + 3*n;
-    for (int e = 0; e < n; ++e)
-    {
-        const double dx = X[b[e]] - X[a[e]];
-        const double ga = gap[a[e]];
-        const double gb = gap[b[e]];
-        const double low = (ga < gb ? ga : gb) - 0.125*crest*dx*dx;
-        const bool inside = facing[fa[e]]*facing[fb[e]] > 0;
-        bound[e] = inside ? 1e300 : low;
-    }
-}
-
 } // End namespace impact

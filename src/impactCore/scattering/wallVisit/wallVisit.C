@@ -50,7 +50,7 @@ class polygonShadow
     //- Arrays of one thread
     struct scratch
     {
-        std::vector<double> X, Y, gap, bound, facing, intervals;
+        std::vector<double> X, Y, gap, intervals;
 
         static scratch& ofThread()
         {
@@ -58,12 +58,11 @@ class polygonShadow
             return s;
         }
 
-        void reserve(int vertices, int edges, int faces)
+        void reserve(std::size_t n)
         {
-            const std::size_t n = std::max({vertices, edges, faces});
             if (X.size() < n)
             {
-                for (auto* list : {&X, &Y, &gap, &bound, &facing})
+                for (auto* list : {&X, &Y, &gap})
                 {
                     list->resize(n);
                 }
@@ -73,7 +72,72 @@ class polygonShadow
 
     const convexBody& body_;
     scratch& w_;
-    vector3 ex_, ey_;
+    vector3 ex_, ey_, ez_;
+
+    //- Crests under the edge from vertex i to j, dx apart
+    void offerCrests
+    (
+        int i,
+        int j,
+        double dx,
+        std::int64_t first,
+        std::int64_t last,
+        reliefPiece& piece,
+        lowest& out
+    ) const
+    {
+        const double* X = w_.X.data();
+        const double* Y = w_.Y.data();
+        const double m = (Y[j] - Y[i])/dx;
+        const double xa = std::min(X[i], X[j]);
+        const double xb = std::max(X[i], X[j]);
+        for (std::int64_t l = first; l <= last; ++l)
+        {
+            const relief::interval& s = piece.at(l);
+            if (s.x1 <= xa || s.x0 >= xb || !(s.crest > 0))
+            {
+                continue;
+            }
+            // Slope of the relief equal to m, falling
+            const double q = s.c1 - m;
+            const double disc = s.c2*s.c2 - 3*s.c3*q;
+            if (!(disc > 0))
+            {
+                continue;
+            }
+            const double root = std::sqrt(disc);
+            const double den = root - s.c2;
+            double u;
+            if (s.c2 <= 0 || s.c3 == 0)
+            {
+                if (!(den > 0))
+                {
+                    continue;
+                }
+                u = q/den;
+            }
+            else
+            {
+                u = (-s.c2 - root)/(3*s.c3);
+            }
+            const double x = s.x0 + u;
+            if (!(x > std::max(xa, s.x0)) || !(x < std::min(xb, s.x1)))
+            {
+                continue;
+            }
+            const double f = (x - X[i])/dx;
+            const double gap = Y[i] + f*(Y[j] - Y[i]) - heightIn(s, x);
+            if (gap < out.gap)
+            {
+                out.gap = gap;
+                out.x = x;
+                out.slope = m;
+                out.i = i;
+                out.j = j;
+                out.parameter = f;
+            }
+        }
+    }
 
 
 public:
@@ -83,12 +147,7 @@ public:
         body_(body),
         w_(scratch::ofThread())
     {
-        w_.reserve
-        (
-            int(body.paddedVertices().size())/3,
-            int(body.paddedEdges().size())/4,
-            int(body.faceNormals().size())
-        );
+        w_.reserve(body.paddedVertices().size()/3);
     }
 
     //- Orientation of the body
@@ -96,15 +155,7 @@ public:
     {
         ex_ = r.ex;
         ey_ = r.ey;
-
-        // An edge bounds the shadow if one of its faces looks up along Z
-        // and the other down
-        const vector3 ez = r.ez();
-        const auto& normals = body_.faceNormals();
-        for (std::size_t i = 0; i < normals.size(); ++i)
-        {
-            w_.facing[i] = dot(ez, normals[i]);
-        }
+        ez_ = r.ez();
     }
 
     //- The lowest point with the centre at (x, y)
@@ -117,11 +168,9 @@ public:
     ) const
     {
         const auto& padded = body_.paddedVertices();
-        const auto& edges = body_.edges();
-        const auto& paddedEdges = body_.paddedEdges();
+        const auto& normals = body_.faceNormals();
         const int n = int(body_.vertices().size());
         const int room = int(padded.size())/3;
-        const int edgeRoom = int(paddedEdges.size())/4;
         scratch& w = w_;
         double* X = w.X.data();
         double* Y = w.Y.data();
@@ -172,77 +221,36 @@ public:
 
         // A crest may reach the inside of an edge: no deeper below the lower
         // of its ends than the sag of the sharpest crest over its length
-        if (crest > 0)
+        const double sag = 0.125*crest;
+        const double near = crest > 0
+          ? least + sag*body_.longestEdge()*body_.longestEdge() : -1e300;
+        for (int i = 0; i < n; ++i)
         {
-            edgeBounds
-            (
-                edgeRoom, paddedEdges.data(), X, G, w.facing.data(),
-                crest, w.bound.data()
-            );
-        }
-        for (std::size_t k = 0; crest > 0 && k < edges.size(); ++k)
-        {
-            if (w.bound[k] >= out.gap)
+            if (!(G[i] < near))
             {
                 continue;
             }
-            const int i = edges[k][0], j = edges[k][1];
-            const double dx = X[j] - X[i];
-            if (dx == 0)
+            const convexBody::spoke* end = body_.endSpokes(i);
+            for (auto* e = body_.beginSpokes(i); e != end; ++e)
             {
-                continue;
-            }
-            const double m = (Y[j] - Y[i])/dx;
-            const double xa = std::min(X[i], X[j]);
-            const double xb = std::max(X[i], X[j]);
-            for (std::int64_t l = first; l <= last; ++l)
-            {
-                const relief::interval& s = piece.at(l);
-                if (s.x1 <= xa || s.x0 >= xb || !(s.crest > 0))
-                {
-                    continue;
-                }
-                // Slope of the relief equal to m, falling
-                const double q = s.c1 - m;
-                const double disc = s.c2*s.c2 - 3*s.c3*q;
-                if (!(disc > 0))
-                {
-                    continue;
-                }
-                const double root = std::sqrt(disc);
-                const double den = root - s.c2;
-                double u;
-                if (s.c2 <= 0 || s.c3 == 0)
-                {
-                    if (!(den > 0))
-                    {
-                        continue;
-                    }
-                    u = q/den;
-                }
-                else
-                {
-                    u = (-s.c2 - root)/(3*s.c3);
-                }
-                const double x = s.x0 + u;
-                if (!(x > std::max(xa, s.x0)) || !(x < std::min(xb, s.x1)))
-                {
-                    continue;
-                }
-                const double f = (x - X[i])/dx;
-                const double gap = Y[i] + f*(Y[j] - Y[i]) - heightIn(s, x);
-                if (gap < out.gap)
-                {
-                    out.gap = gap;
-                    out.x = x;
-                    out.slope = m;
-                    out.i = i;
-                    out.j = j;
-                    out.parameter = f;
-                }
-            }
-        }
+                const int j = e->vertex;
+                const double dx = X[j] - X[i];
 
+                // From its lower end; an edge bounds the shadow if one of its
+                // faces looks up along Z and the other down
+                if
+                (
+                    G[j] < G[i] || (G[j] == G[i] && j < i)
+                 || G[i] - sag*dx*dx >= out.gap || dx == 0
+                 || dot(ez_, normals[e->faces[0]])
+                   *dot(ez_, normals[e->faces[1]]) > 0
+                )
+                {
+                    continue;
+                }
+                offerCrests(i, j, dx, first, last, piece, out);
+            }
+        }
         return out;
     }
 
@@ -561,94 +569,6 @@ private:
     }
 };
 
-
-//- When may the circumscribed circle first reach the relief, from time t on?
-//  Infinite if never
-double leap
-(
-    const bodyState& b,
-    double R,
-    double t,
-    reliefPiece& piece,
-    std::int64_t& hint,
-    bool& lost
-)
-{
-    const double infinite = std::numeric_limits<double>::infinity();
-    const double vx = b.V.x;
-    const double vy = b.V.y;
-    const double y = b.y + vy*t;
-    const double top = piece.model().top();
-
-    // Above everything: straight down to the highest top there may be
-    double start = t;
-    if (y - R > top)
-    {
-        if (vy >= 0)
-        {
-            return infinite;
-        }
-        start = t + (top + R - y)/vy;
-    }
-    const double xs = b.x + vx*start;
-    const int step = vx < 0 ? -1 : 1;
-    std::int64_t n = piece.find(vx < 0 ? xs + R : xs - R, hint);
-    hint = n;
-    double found = infinite;
-    for (int count = 0; ; ++count, n += step)
-    {
-        const relief::interval& s = piece.at(n);
-
-        // The circle is over this interval from 'enter' to 'leave'
-        double enter = start;
-        double leave = infinite;
-        if (vx > 0)
-        {
-            enter = std::max(start, (s.x0 - R - b.x)/vx);
-            leave = (s.x1 + R - b.x)/vx;
-        }
-        else if (vx < 0)
-        {
-            enter = std::max(start, (s.x1 + R - b.x)/vx);
-            leave = (s.x0 - R - b.x)/vx;
-        }
-        else if (s.x0 > xs + R)
-        {
-            break;
-        }
-        if (enter >= found)
-        {
-            break;
-        }
-        // Lowest point of the circle against the top of the interval
-        const double room = b.y + vy*enter - R - s.top;
-        if (room <= 0)
-        {
-            found = std::min(found, enter);
-        }
-        else if (vy < 0)
-        {
-            const double reach = enter - room/vy;
-            if (reach <= leave)
-            {
-                found = std::min(found, reach);
-            }
-        }
-        if (vy >= 0 && b.y + vy*enter - R > top)
-        {
-            break;
-        }
-        if (count > 10000000)
-        {
-            lost = true;
-            break;
-        }
-    }
-    // Round-off must not carry past
-    return found == infinite ? found
-        : std::max(t, found - 1e-12*(found - t));
-}
-
 } // End anonymous namespace
 
 
@@ -749,7 +669,10 @@ impact::contactPoint impact::wallVisit::search
             lost = true;
             return none;
         }
-        const double jump = leap(state, R, t0, piece, hint, lost);
+        const double jump = piece.firstReach
+        (
+            state.x, state.y, state.V.x, state.V.y, R, R, t0, hint, lost
+        );
         if (lost || jump == std::numeric_limits<double>::infinity())
         {
             return none;
