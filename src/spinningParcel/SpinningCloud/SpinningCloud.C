@@ -60,6 +60,7 @@ void Foam::SpinningCloud<CloudType>::setModels()
     {
         magnus = magnus || isA<MagnusForce<kinematicCloudType>>(force);
     }
+    Info<< "Parcels of " << label(sizeof(parcelType)) << " bytes" << endl;
     if (!rotation_)
     {
         Info<< "Parcels without rotation: no torque"
