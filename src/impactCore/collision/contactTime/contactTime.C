@@ -119,6 +119,26 @@ double impact::parabolicContact
     const double s2 = dot(s, s);
     const double v2 = dot(v, v);
     const double sigma2 = sigma*sigma;
+    if
+    (
+        tolerance.restSpeed > 0
+     && s2 - sigma2 <= 2*sigma*tolerance.restDepth
+     && -dot(s, v) < sigma*tolerance.restSpeed
+    )
+    {
+        // Which comes first: the speed, or the depth?
+        const double fast = parabolicContact
+        (
+            s, v, a, sigma, end,
+            {std::max(tolerance.gap, tolerance.restDepth), tolerance.restSpeed}
+        );
+        const double deep = parabolicContact
+        (
+            s, v, a, sigma - tolerance.restDepth, end,
+            {tolerance.gap, tolerance.speed}
+        );
+        return std::min(fast, deep);
+    }
     const double touching = 2*sigma*tolerance.gap;
 
     // Too far to reach each other
@@ -250,6 +270,24 @@ double impact::planeContact
 )
 {
     const double gap = h - radius;
+    if
+    (
+        tolerance.restSpeed > 0 && gap <= tolerance.restDepth
+     && -v < tolerance.restSpeed
+    )
+    {
+        const double fast = planeContact
+        (
+            h, v, a, radius, end,
+            {std::max(tolerance.gap, tolerance.restDepth), tolerance.restSpeed}
+        );
+        const double deep = planeContact
+        (
+            h, v, a, radius - tolerance.restDepth, end,
+            {tolerance.gap, tolerance.speed}
+        );
+        return std::min(fast, deep);
+    }
     const double square = v*v - 2*a*gap;
     if (gap <= tolerance.gap)
     {
@@ -261,10 +299,12 @@ double impact::planeContact
         {
             return never;
         }
-        // It comes back, or sinks ever faster: when it is fast enough, and
-        // not before it is back
+        // It sinks ever faster. If it rises first, and beyond touching, it
+        // collides when it is back
         double t = std::max(v + tolerance.speed, 0.);
-        if (square > 0)
+        const bool leaves =
+            v > 0 && v*v > 2*(-a)*(tolerance.gap - gap) && square > 0;
+        if (leaves)
         {
             t = std::max(t, v + std::sqrt(square));
         }
