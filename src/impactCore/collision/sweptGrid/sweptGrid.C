@@ -178,10 +178,10 @@ void impact::sweptGrid::makeLevels()
         }
     }
 
-    // Nine of ten fit the finest level
+    // Nineteen of twenty fit the finest level
     std::size_t smaller = 0;
     int bin = 0;
-    while (bin < nBins - 1 && 10*(smaller + histogram_[bin]) < 9*n)
+    while (bin < nBins - 1 && 20*(smaller + histogram_[bin]) < 19*n)
     {
         smaller += histogram_[bin++];
     }
