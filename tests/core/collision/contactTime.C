@@ -422,7 +422,10 @@ TEST(contactTime, letsRestingPairsSinkInByALittle)
         m.v = {-1e-3, 0, 0};
         EXPECT_NEAR(m.solve(rest), (gap + 1e-4)/1e-3, 1e-10);
         EXPECT_NEAR
-            (planeContact(1 + gap, -1e-3, 0, 1, 10, rest), m.solve(rest), 1e-10);
+        (
+            planeContact(1 + gap, -1e-3, 0, 1, 10, rest), m.solve(rest),
+            1e-10
+        );
         m.v = {-2e-2, 0, 0};
         EXPECT_NEAR(m.solve(rest), std::max(gap, 0.)/2e-2, 1e-10);
 

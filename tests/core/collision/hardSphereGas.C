@@ -247,7 +247,8 @@ TEST(hardSphereGas, bouncesInTheFieldOfGravity)
     const double g = 9.81, e = 0.9;
     hardSphereGas<true, planeWalls> gas
     (
-        {}, pairLaw(1, 0), 3, contactDuration(), {0, 0, -g}, floor, pairLaw(e, 0)
+        {}, pairLaw(1, 0), 3, contactDuration(), {0, 0, -g}, floor,
+        pairLaw(e, 0)
     );
     gas.add({1, 1, 0.5, {0, 0, 1.5}, {0.3, 0, 0}, {0, 0, 0}});
     double impact = std::sqrt(2/g), speed = g*impact;
@@ -266,7 +267,8 @@ TEST(hardSphereGas, bouncesInTheFieldOfGravity)
 
     // Two spheres thrown at each other fall together: they meet as without
     // gravity
-    hardSphereGas<true> pair({}, pairLaw(1, 0), 3, contactDuration(), {0, 0, -g});
+    hardSphereGas<true> pair
+        ({}, pairLaw(1, 0), 3, contactDuration(), {0, 0, -g});
     pair.add({1, 1, 0.5, {0, 0, 0}, {1, 0, 0}, {0, 0, 0}});
     pair.add({2, 1, 0.5, {5, 0, 0}, {-1, 0, 0}, {0, 0, 0}});
     pair.run(3);
@@ -552,7 +554,10 @@ TEST(hardSphereGas, doesNotDependOnTheOrderOfTheSpheres)
         const int n = 1000;
         const double L = side(n, 0.15, dimension);
         hardSphereGas<> first
-            (box(L, dimension), pairLaw(0.9, 0.3), dimension, contactDuration(1e-7));
+        (
+            box(L, dimension), pairLaw(0.9, 0.3), dimension,
+            contactDuration(1e-7)
+        );
         fill(first, n, L, dimension, 7, 1);
         std::vector<gasSphere> all = byIdentity(first);
         first.clear();
