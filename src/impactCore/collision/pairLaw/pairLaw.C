@@ -1,0 +1,130 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "pairLaw.H"
+
+#include <sstream>
+#include <stdexcept>
+
+namespace
+{
+
+void checkRange
+(
+    const char* name,
+    double value,
+    double low,
+    double high,
+    const char* range
+)
+{
+    // A comparison with NaN would trap
+    if (std::isnan(value) || value < low || value > high)
+    {
+        std::ostringstream text;
+        text<< name << ' ' << value << ": valid range " << range;
+        throw std::invalid_argument(text.str());
+    }
+}
+
+} // End anonymous namespace
+
+
+impact::pairLaw::pairLaw
+(
+    double restitution,
+    double friction,
+    bool spin,
+    double tangentialRestitution
+)
+:
+    restitution_(restitution),
+    friction_(friction),
+    tangentialRestitution_(tangentialRestitution),
+    spin_(spin)
+{
+    checkRange("restitution", restitution, 0, 1, "[0, 1]");
+    checkRange("friction", friction, 0, 1e12, "[0, 1e12]");
+    checkRange
+        ("tangentialRestitution", tangentialRestitution, -1, 1, "[-1, 1]");
+}
+
+
+impact::pairCollision impact::pairLaw::collide
+(
+    const collidingSphere& first,
+    const collidingSphere& second,
+    const vector3& n,
+    bool elastic
+) const
+{
+    const vector3 zero = {0, 0, 0};
+    const vector3 omega1 = spin_ ? first.omega : zero;
+    const vector3 omega2 = spin_ ? second.omega : zero;
+    const vector3 G = first.v - second.v;
+    const double Gn = dot(n, G);
+
+    pairCollision out;
+    out.v1 = first.v;
+    out.v2 = second.v;
+    out.omega1 = omega1;
+    out.omega2 = omega2;
+    out.impulse = zero;
+    out.approachSpeed = Gn;
+    out.restitutionLoss = 0;
+    out.frictionLoss = 0;
+    out.sliding = false;
+    if (!(Gn > 0))
+    {
+        return out;
+    }
+
+    const double inverse1 = 1/first.mass;
+    const double inverse2 = 1/second.mass;
+    const double m = 1/(inverse1 + inverse2);
+    const double e = elastic ? 1 : restitution_;
+    const double normal = (1 + e)*Gn*m;
+    vector3 J = (-normal)*n;
+
+    if (!elastic && friction_ > 0)
+    {
+        const vector3 surface =
+            first.radius*omega1 + second.radius*omega2;
+        const vector3 slip = (G - Gn*n) + cross(surface, n);
+        const double speed = mag(slip);
+        const double stick = (2./7)*(1 + tangentialRestitution_)*m;
+        const double limit = friction_*normal;
+        out.sliding = limit < stick*speed;
+
+        // Impulse per unit of slip; a contact that slides has some
+        const double k = out.sliding ? limit/speed : stick;
+        const vector3 Jt = (-k)*slip;
+        J = J + Jt;
+        out.frictionLoss = k*speed*speed*(1 - 1.75*k/m);
+
+        if (spin_)
+        {
+            // r/I = 5/(2 m r); an immovable body may be a plane, radius 0
+            const vector3 twist = 2.5*cross(n, Jt);
+            if (inverse1 > 0)
+            {
+                out.omega1 = omega1 + (inverse1/first.radius)*twist;
+            }
+            if (inverse2 > 0)
+            {
+                out.omega2 = omega2 + (inverse2/second.radius)*twist;
+            }
+        }
+        else
+        {
+            out.frictionLoss += 1.25*k*k*speed*speed/m;
+        }
+    }
+
+    out.impulse = J;
+    out.v1 = first.v + inverse1*J;
+    out.v2 = second.v - inverse2*J;
+    out.restitutionLoss = 0.5*m*Gn*Gn*(1 - e*e);
+    return out;
+}

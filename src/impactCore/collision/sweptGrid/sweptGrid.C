@@ -1,0 +1,324 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "sweptGrid.H"
+
+#include <cstring>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+namespace
+{
+
+//- Bins of the histogram are quarters of a power of two: the exponent of a
+//  positive double and two bits of its mantissa
+const int binShift = 50;
+const int nBins = 1 << 13;
+
+
+int binOf(double x)
+{
+    std::uint64_t bits;
+    std::memcpy(&bits, &x, sizeof bits);
+    return int(bits >> binShift);
+}
+
+
+double upperEnd(int bin)
+{
+    const std::uint64_t bits = std::uint64_t(bin + 1) << binShift;
+    double x;
+    std::memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+} // End anonymous namespace
+
+
+impact::sweptGrid::sweptGrid(const collisionDomain& domain)
+:
+    domain_(domain),
+    period_(domain.period()),
+    anyMoved_(false),
+    histogram_(nBins)
+{
+    for (int k = 0; k < 3; ++k)
+    {
+        if (!domain.periodic[k])
+        {
+            continue;
+        }
+        const double length = period_[k];
+        if (!std::isfinite(length) || length <= 0)
+        {
+            std::ostringstream text;
+            text<< "period " << length << " along axis " << k
+                << ": valid range (0, inf)";
+            throw std::invalid_argument(text.str());
+        }
+    }
+}
+
+
+void impact::sweptGrid::checkPeriods(const sweptBox& box) const
+{
+    for (int k = 0; k < 3; ++k)
+    {
+        if
+        (
+            domain_.periodic[k]
+         && box.high[k] - box.low[k] > 100*period_[k]
+        )
+        {
+            std::ostringstream text;
+            text<< "A particle sweeps " << box.high[k] - box.low[k]
+                << " m along axis " << k << " in one step: valid range"
+                << " up to 100 periods of " << period_[k] << " m";
+            throw std::invalid_argument(text.str());
+        }
+    }
+}
+
+
+void impact::sweptGrid::makeAxes(level& l, std::int64_t nBoxes) const
+{
+    std::int64_t product = 1;
+    for (int k = 0; k < 3; ++k)
+    {
+        axis& a = l.axes[k];
+        a.periodic = domain_.periodic[k];
+        const double length = a.periodic ? period_[k] : span_[k];
+        a.n = std::int64_t(std::min(length/l.size, 1e6));
+        if (a.periodic)
+        {
+            a.n = std::max<std::int64_t>(a.n, 1);
+        }
+        else
+        {
+            // Two neighbours of a cell must not be the same one
+            a.n = a.n + 1 < 3 ? 1 : a.n + 1;
+        }
+        product *= a.n;
+    }
+    while (product > 2*nBoxes + 64)
+    {
+        axis* longest = &l.axes[0];
+        for (axis& a : l.axes)
+        {
+            longest = a.n > longest->n ? &a : longest;
+        }
+        product /= longest->n;
+        longest->n = longest->periodic
+          ? std::max<std::int64_t>(3*longest->n/4, 1)
+          : longest->n < 6 ? 1 : longest->n/2;
+        product *= longest->n;
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+        axis& a = l.axes[k];
+        a.origin = a.periodic ? domain_.low[k] : origin_[k];
+        a.cell = a.periodic ? period_[k]/a.n : l.size;
+        a.perCell = 1/a.cell;
+    }
+}
+
+
+void impact::sweptGrid::makeLevels()
+{
+    const std::size_t n = boxes_.size();
+    std::fill(histogram_.begin(), histogram_.end(), 0);
+    double high[3];
+    for (int k = 0; k < 3; ++k)
+    {
+        origin_[k] = high[k] = n ? boxes_[0].centre(k) : 0;
+    }
+    largest_ = 0;
+    farthest_ = 0;
+    for (const sweptBox& box : boxes_)
+    {
+        const double extent = box.extent();
+        if (!std::isfinite(extent))
+        {
+            throw std::invalid_argument
+                ("The path of a particle is not finite");
+        }
+        ++histogram_[binOf(extent)];
+        largest_ = std::max(largest_, extent);
+        for (int k = 0; k < 3; ++k)
+        {
+            const double x = box.centre(k);
+            origin_[k] = std::min(origin_[k], x);
+            high[k] = std::max(high[k], x);
+            farthest_ = std::max
+            (
+                farthest_,
+                std::max(std::fabs(box.low[k]), std::fabs(box.high[k]))
+            );
+        }
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+        span_[k] = high[k] - origin_[k];
+        if (domain_.periodic[k])
+        {
+            farthest_ = std::max
+            (
+                farthest_,
+                std::max(std::fabs(domain_.low[k]), std::fabs(domain_.high[k]))
+            );
+            if (largest_ > 100*period_[k])
+            {
+                for (const sweptBox& box : boxes_)
+                {
+                    checkPeriods(box);
+                }
+            }
+        }
+    }
+
+    // Nineteen of twenty fit the finest level
+    std::size_t smaller = 0;
+    int bin = 0;
+    while (bin < nBins - 1 && 20*(smaller + histogram_[bin]) < 19*n)
+    {
+        smaller += histogram_[bin++];
+    }
+    double size = std::max(upperEnd(bin), 1e-12*farthest_ + 1e-280);
+    size /= fitting*fitting;
+
+    // Boxes by level, from the histogram: its bins may straddle two levels,
+    // and then both are made
+    levels_.clear();
+    std::size_t next = 0;
+    std::int32_t first = 0;
+    while (true)
+    {
+        std::int64_t inLevel = 0;
+        const std::size_t last = std::min(binOf(fitting*size), nBins - 1);
+        for (std::size_t b = next; b <= last; ++b)
+        {
+            inLevel += histogram_[b];
+        }
+        if (inLevel > 0)
+        {
+            level l;
+            l.size = size;
+            makeAxes(l, inLevel);
+            l.first = first;
+            first += l.nCells();
+            levels_.push_back(l);
+        }
+        if (largest_ <= fitting*size)
+        {
+            break;
+        }
+        next = last;
+        size *= 2;
+    }
+    cellStart_.assign(first + 1, 0);
+    movedIn_.assign(first + 1, -1);
+}
+
+
+std::int32_t impact::sweptGrid::cell
+(
+    const level& l,
+    const sweptBox& box
+) const
+{
+    std::int64_t c[3];
+    for (int k = 0; k < 3; ++k)
+    {
+        std::int64_t image;
+        c[k] = wrap(l.axes[k], own(l.axes[k], box.centre(k)), image);
+    }
+    return std::int32_t
+        (l.first + (c[2]*l.axes[1].n + c[1])*l.axes[0].n + c[0]);
+}
+
+
+void impact::sweptGrid::build()
+{
+    makeLevels();
+    const std::int32_t n = std::int32_t(boxes_.size());
+    cellOf_.resize(n);
+    slotOf_.resize(n);
+    slots_.resize(n);
+    nextMoved_.resize(n);
+    anyMoved_ = false;
+
+    for (std::int32_t i = 0; i < n; ++i)
+    {
+        const level* l = levelFor(boxes_[i].extent());
+        cellOf_[i] = cell(*l, boxes_[i]);
+        ++cellStart_[cellOf_[i] + 1];
+    }
+    for (std::size_t c = 1; c < cellStart_.size(); ++c)
+    {
+        cellStart_[c] += cellStart_[c - 1];
+    }
+
+    // Filling moves the starts to the next cells' starts: shift them back
+    for (std::int32_t i = 0; i < n; ++i)
+    {
+        const std::int32_t s = cellStart_[cellOf_[i]]++;
+        slots_[s] = {boxes_[i], i};
+        slotOf_[i] = s;
+    }
+    for (std::size_t c = cellStart_.size() - 1; c > 0; --c)
+    {
+        cellStart_[c] = cellStart_[c - 1];
+    }
+    cellStart_[0] = 0;
+}
+
+
+void impact::sweptGrid::unlink(std::int32_t i)
+{
+    if (slotOf_[i] >= 0)
+    {
+        // No box overlaps this one
+        sweptBox& box = slots_[slotOf_[i]].box;
+        box.low[0] = std::numeric_limits<double>::infinity();
+        box.high[0] = -box.low[0];
+        slotOf_[i] = -1;
+    }
+    else if (cellOf_[i] >= 0)
+    {
+        std::int32_t* link = &movedIn_[cellOf_[i]];
+        while (*link != i)
+        {
+            link = &nextMoved_[*link];
+        }
+        *link = nextMoved_[i];
+    }
+    cellOf_[i] = -1;
+}
+
+
+void impact::sweptGrid::move(std::int32_t i, const sweptBox& box)
+{
+    unlink(i);
+    const double extent = box.extent();
+    if (!std::isfinite(extent))
+    {
+        throw std::invalid_argument("The path of a particle is not finite");
+    }
+    checkPeriods(box);
+    boxes_[i] = box;
+    const level* l = levelFor(extent);
+    const std::int32_t c =
+        l ? cell(*l, box) : std::int32_t(movedIn_.size()) - 1;
+    cellOf_[i] = c;
+    nextMoved_[i] = movedIn_[c];
+    movedIn_[c] = i;
+    anyMoved_ = true;
+}
+
+
+void impact::sweptGrid::remove(std::int32_t i)
+{
+    unlink(i);
+}

@@ -1,0 +1,352 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+
+Description
+    Collisions per CPU second of a gas of hard spheres in equilibrium:
+
+        collisions METHOD DIMENSION N FRACTION LAW COLLISIONS
+
+    METHOD event or bruteForce, LAW smooth or rough. Prints one row of the
+    table; the brute force prints in the last column by how much its
+    positions differ from those of the event-driven engine.
+\*---------------------------------------------------------------------------*/
+
+#include "hardSphereGas.H"
+#include "counterRandom.H"
+
+#include <cfenv>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <new>
+#include <string>
+
+namespace
+{
+
+std::size_t allocations = 0;
+
+} // End anonymous namespace
+
+
+void* operator new(std::size_t n)
+{
+    ++allocations;
+    if (void* p = std::malloc(n))
+    {
+        return p;
+    }
+    throw std::bad_alloc();
+}
+
+void operator delete(void* p) noexcept
+{
+    std::free(p);
+}
+
+void operator delete(void* p, std::size_t) noexcept
+{
+    std::free(p);
+}
+
+
+namespace
+{
+
+using namespace impact;
+
+//- All pairs searched for their contact: once per step, and the pairs of a
+//  particle again after its event
+class bruteForce
+{
+    std::vector<gasSphere> s_;
+    std::vector<double> next_;
+    std::vector<int> partner_;
+    pairLaw law_;
+    double L_;
+    int dimension_;
+
+    vector3 separation(int i, int j) const
+    {
+        vector3 d = s_[j].x - s_[i].x;
+        for (int k = 0; k < dimension_; ++k)
+        {
+            d[k] -= L_*std::round(d[k]/L_);
+        }
+        return d;
+    }
+
+    void search(int i, double now, double end)
+    {
+        next_[i] = never;
+        partner_[i] = -1;
+        for (int j = 0; j < int(s_.size()); ++j)
+        {
+            if (j == i)
+            {
+                continue;
+            }
+            const double t = now + straightContact
+            (
+                separation(i, j), s_[j].v - s_[i].v,
+                s_[i].radius + s_[j].radius, end - now, {1e-12, 1e-14}
+            );
+            if (t < next_[i])
+            {
+                next_[i] = t;
+                partner_[i] = j;
+            }
+            if (t < next_[j])
+            {
+                next_[j] = t;
+                partner_[j] = i;
+            }
+        }
+    }
+
+public:
+
+    std::uint64_t collisions = 0;
+
+    bruteForce
+    (
+        const std::vector<gasSphere>& s,
+        const pairLaw& law,
+        double L,
+        int dimension
+    )
+    :
+        s_(s),
+        next_(s.size()),
+        partner_(s.size()),
+        law_(law),
+        L_(L),
+        dimension_(dimension)
+    {}
+
+    const gasSphere& sphere(int i) const
+    {
+        return s_[i];
+    }
+
+    void run(double duration)
+    {
+        const int n = int(s_.size());
+        double left = duration;
+        while (left > 0)
+        {
+            // The nearest image stays the nearest that can be met
+            double fastest = 0;
+            for (const gasSphere& s : s_)
+            {
+                fastest = std::max(fastest, mag(s.v));
+            }
+            const double h = std::min(left, 0.1*L_/fastest);
+            std::fill(next_.begin(), next_.end(), never);
+            for (int i = 0; i < n; ++i)
+            {
+                search(i, 0, h);
+            }
+            double now = 0;
+            while (true)
+            {
+                int a = 0;
+                for (int i = 1; i < n; ++i)
+                {
+                    a = next_[i] < next_[a] ? i : a;
+                }
+                const double t = std::min(next_[a], h);
+                for (gasSphere& s : s_)
+                {
+                    s.x = s.x + (t - now)*s.v;
+                }
+                now = t;
+                if (next_[a] > h)
+                {
+                    break;
+                }
+                const int b = partner_[a];
+                const vector3 d = separation(a, b);
+                gasSphere& p = s_[a];
+                gasSphere& q = s_[b];
+                const pairCollision out = law_.collide
+                (
+                    {p.v, p.omega, p.mass, p.radius},
+                    {q.v, q.omega, q.mass, q.radius}, (1/mag(d))*d
+                );
+                p.v = out.v1;
+                q.v = out.v2;
+                p.omega = out.omega1;
+                q.omega = out.omega2;
+                ++collisions;
+                for (int i = 0; i < n; ++i)
+                {
+                    if
+                    (
+                        i == a || i == b || partner_[i] == a
+                     || partner_[i] == b
+                    )
+                    {
+                        search(i, now, h);
+                    }
+                }
+            }
+            left -= h;
+        }
+    }
+};
+
+
+double cpu()
+{
+    return double(std::clock())/CLOCKS_PER_SEC;
+}
+
+} // End anonymous namespace
+
+
+int main(int argc, char** argv)
+{
+    if (argc != 7)
+    {
+        std::fprintf
+        (
+            stderr, "Usage: collisions event|bruteForce 2|3 N FRACTION"
+            " smooth|rough COLLISIONS\n"
+        );
+        return 1;
+    }
+    feenableexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW);
+    const bool brute = std::string(argv[1]) == "bruteForce";
+    const int dimension = std::atoi(argv[2]);
+    const int n = std::atoi(argv[3]);
+    const double fraction = std::atof(argv[4]);
+    const bool rough = std::string(argv[5]) == "rough";
+    const double wanted = std::atof(argv[6]);
+
+    const double L = dimension == 3
+      ? std::cbrt(n*M_PI/6/fraction) : std::sqrt(n*M_PI/4/fraction);
+    collisionDomain domain;
+    domain.high = {L, L, L};
+    for (int k = 0; k < dimension; ++k)
+    {
+        domain.periodic[k] = true;
+    }
+    // Rough spheres that lose nothing: the state stays the same
+    const pairLaw law(1, rough ? 1e12 : 0, true, rough ? 1 : 0);
+    hardSphereGas<> gas(domain, law, dimension);
+    const int m = int(std::ceil(std::pow(n, 1./dimension) - 1e-9));
+    counterRandom rnd(61);
+    for (int i = 0; i < n; ++i)
+    {
+        gasSphere s =
+            {std::uint64_t(i), 1, 0.5, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+        const int c[3] = {i % m, i/m % m, i/m/m};
+        for (int k = 0; k < dimension; ++k)
+        {
+            s.x[k] = (c[k] + 0.5)*L/m;
+            s.v[k] = rnd.normal();
+        }
+        gas.add(s);
+    }
+
+    // Into equilibrium, and the arrays to their size
+    const auto runFor = [&](double collisions)
+    {
+        const double start = gas.time();
+        const std::uint64_t before = gas.counts().pairEvents;
+        double part = 0.02*L;
+        while (double(gas.counts().pairEvents - before) < collisions)
+        {
+            gas.run(part);
+            const double done = double(gas.counts().pairEvents - before);
+            part = std::min
+            (
+                2*part,
+                (gas.time() - start)*(collisions - done + 1)/(done + 1)
+            );
+            part = std::max(part, 1e-3*(gas.time() - start));
+        }
+    };
+    runFor(5.*n);
+
+    if (!brute)
+    {
+        const collisionCounts before = gas.counts();
+        const std::size_t allocated = allocations;
+        const double E =
+            gas.translationalEnergy() + gas.rotationalEnergy();
+        const double T =
+            2*gas.translationalEnergy()/(dimension*(n - 1.));
+        const double from = gas.time();
+        const double start = cpu();
+        runFor(wanted);
+        const double used = cpu() - start;
+        const double done =
+            double(gas.counts().pairEvents - before.pairEvents);
+        const double drift =
+            (gas.translationalEnergy() + gas.rotationalEnergy())/E - 1;
+
+        // Enskog's rate with the contact values of Carnahan and Starling and
+        // of Henderson; rough spheres do not keep their temperature exactly
+        const double contact = dimension == 3
+          ? (1 - fraction/2)/std::pow(1 - fraction, 3)
+          : (1 - 7*fraction/16)/std::pow(1 - fraction, 2);
+        const double rate = (dimension == 3 ? 4*6 : 2*4)/std::sqrt(M_PI)
+           *fraction*contact*std::sqrt(T);
+        std::string overTheory;
+        if (!rough)
+        {
+            char text[40];
+            std::snprintf
+            (
+                text, sizeof text, "%.4f",
+                2*done/(n - 1)/(gas.time() - from)/rate
+            );
+            overTheory = text;
+        }
+        std::printf
+        (
+            "event,%d,%d,%g,%s,%.0f,%.3g,%.3g,%.2g,%zu,%.1e,%s,\n",
+            dimension, n, fraction, argv[5], done, used, done/used,
+            1e6*used/done, allocations - allocated, std::fabs(drift),
+            overTheory.c_str()
+        );
+        return 0;
+    }
+
+    std::vector<gasSphere> start(n);
+    for (int i = 0; i < n; ++i)
+    {
+        start[gas.particle(i).identity] = gas.particle(i);
+    }
+    const double from = gas.time();
+    runFor(wanted);
+    bruteForce all(start, law, L, dimension);
+    const std::size_t allocated = allocations;
+    const double begin = cpu();
+    all.run(gas.time() - from);
+    const double used = cpu() - begin;
+    double E0 = 0, E1 = 0, difference = 0;
+    for (int i = 0; i < n; ++i)
+    {
+        const gasSphere a = gas.particle(i);
+        const gasSphere& b = all.sphere(int(a.identity));
+        vector3 d = a.x - b.x;
+        for (int k = 0; k < dimension; ++k)
+        {
+            d[k] -= L*std::round(d[k]/L);
+        }
+        difference = std::max(difference, mag(d));
+        E0 += dot(start[i].v, start[i].v);
+        E1 += dot(all.sphere(i).v, all.sphere(i).v);
+    }
+    std::printf
+    (
+        "bruteForce,%d,%d,%g,%s,%.0f,%.3g,%.3g,%.3g,%zu,%.1e,,%.0e\n",
+        dimension, n, fraction, argv[5], double(all.collisions), used,
+        all.collisions/used, 1e6*used/all.collisions,
+        allocations - allocated, std::fabs(E1/E0 - 1), difference
+    );
+    return 0;
+}
