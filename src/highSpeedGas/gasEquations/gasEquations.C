@@ -355,6 +355,7 @@ Foam::gasEquations::gasEquations
     viscous_(viscous),
     troubled_(geometry_.nSlots(), 0),
     anyTroubled_(false),
+    brokenFace_(-1),
     conserved(geometry_.nCells()*nVar_),
     primitive(geometry_.nSlots()*nVar_),
     rate(geometry_.nCells()*nVar_)
@@ -379,13 +380,17 @@ void Foam::gasEquations::readFields()
 
     for (label c = 0; c < geometry_.nCells(); c++)
     {
-        if (!(p[c] > 0) || !(T[c] > 0))
+        const bool good =
+            p[c] > 0 && p[c] < GREAT && T[c] > 0 && T[c] < GREAT
+         && magSqr(U[c]) < GREAT;
+        if (!good)
         {
             FatalErrorInFunction
-                << "Pressure and temperature must be positive, but cell " << c
-                << " at " << mesh_.C()[c] << " holds p = " << p[c]
-                << " Pa, T = " << T[c] << " K at time "
-                << mesh_.time().timeName() << exit(FatalError);
+                << "Pressure and temperature must be positive, and all fields"
+                << " finite, but cell " << c << " at " << mesh_.C()[c]
+                << " holds p = " << p[c] << " Pa, T = " << T[c] << " K, U = "
+                << U[c] << " m/s at time " << mesh_.time().timeName()
+                << exit(FatalError);
         }
 
         double* q = &primitive[c*nVar_];
@@ -488,18 +493,13 @@ void Foam::gasEquations::publish()
 }
 
 
-template<bool Thermally>
-Foam::label Foam::gasEquations::primitivesOf
-(
-    const std::vector<double>& state
-)
+Foam::label Foam::gasEquations::refused(const std::vector<double>& state)
 {
     const int nDim = geometry_.nDim();
-    const label nCells = geometry_.nCells();
     label nBad = 0;
 
-    // First look, then touch: a refused state leaves the old one whole
-    for (label c = 0; c < nCells; c++)
+    // (A comparison with NaN is false.)
+    for (label c = 0; c < geometry_.nCells(); c++)
     {
         const double* w = &state[c*nVar_];
         double mm = 0;
@@ -507,7 +507,9 @@ Foam::label Foam::gasEquations::primitivesOf
         {
             mm += w[2 + d]*w[2 + d];
         }
-        const bool good = w[0] > 0 && w[1]*w[0] > 0.5*mm*(1 + 1e-12);
+        const bool good =
+            w[0] > 0 && w[0] < GREAT && w[1] < VGREAT
+         && w[1]*w[0] > 0.5*mm*(1 + 1e-12);
         if (!good)
         {
             troubled_[c] = 1;
@@ -515,13 +517,21 @@ Foam::label Foam::gasEquations::primitivesOf
         }
     }
 
-    reduce(nBad, sumOp<label>());
-    if (nBad)
+    if (brokenFace_ >= 0)
     {
-        return nBad;
+        troubled_[geometry_.owner[brokenFace_]] = 1;
+        nBad++;
     }
+    return returnReduce(nBad, sumOp<label>());
+}
 
-    for (label c = 0; c < nCells; c++)
+
+template<bool Thermally>
+void Foam::gasEquations::primitivesOf(const std::vector<double>& state)
+{
+    const int nDim = geometry_.nDim();
+
+    for (label c = 0; c < geometry_.nCells(); c++)
     {
         const double* w = &state[c*nVar_];
         double* q = &primitive[c*nVar_];
@@ -535,19 +545,58 @@ Foam::label Foam::gasEquations::primitivesOf
         q[1] = closure_.temperature<Thermally>(w[1]*v - 0.5*uu, q[1]);
         q[0] = w[0]*closure_.R*q[1];
     }
-    return 0;
+}
+
+
+void Foam::gasEquations::restore(const std::vector<double>& state)
+{
+    if (closure_.thermallyPerfect())
+    {
+        primitivesOf<true>(state);
+    }
+    else
+    {
+        primitivesOf<false>(state);
+    }
 }
 
 
 Foam::label Foam::gasEquations::accept(const std::vector<double>& state)
 {
-    const label nBad =
-        closure_.thermallyPerfect()
-      ? primitivesOf<true>(state)
-      : primitivesOf<false>(state);
+    // First look, then touch: a refused state leaves the old one whole
+    const label nBad = refused(state);
+    if (nBad == 0)
+    {
+        restore(state);
+    }
 
     anyTroubled_ = returnReduce(anyTroubled_ || nBad > 0, orOp<bool>());
     return nBad;
+}
+
+
+void Foam::gasEquations::receive
+(
+    const vectorField& momentum,
+    const scalarField& energy
+)
+{
+    for (label c = 0; c < geometry_.nCells(); c++)
+    {
+        const double perVolume = 1/geometry_.volume[c];
+        double* w = &conserved[c*nVar_];
+        w[1] += energy[c]*perVolume;
+        for (int d = 0; d < geometry_.nDim(); d++)
+        {
+            w[2 + d] += momentum[c][geometry_.direction(d)]*perVolume;
+        }
+    }
+
+    if (accept(conserved) != 0)
+    {
+        reportTrouble();
+    }
+    correctBoundary();
 }
 
 
@@ -567,8 +616,31 @@ void Foam::gasEquations::reportTrouble()
     {
         const double* q = &primitive[celli*nVar_];
         Pout<< "Gas: cell " << celli << " at " << mesh_.C()[celli]
-            << " has no positive density and internal energy after a step"
-            << " from p = " << q[0] << " Pa, T = " << q[1] << " K" << endl;
+            << " at time " << mesh_.time().timeName()
+            << " has no finite, positive density and internal energy after a"
+            << " step from p = " << q[0] << " Pa, T = " << q[1] << " K"
+            << endl;
+    }
+    if (brokenFace_ >= 0)
+    {
+        for (const gasMesh::patchRange& patch : geometry_.patches())
+        {
+            const label i = brokenFace_ - patch.start;
+            if (i >= 0 && i < patch.size && !patch.coupled)
+            {
+                Pout<< "Gas: the boundary condition of patch "
+                    << mesh_.boundary()[patch.patchi].name() << " gives face "
+                    << i << " at "
+                    << mesh_.Cf().boundaryField()[patch.patchi][i]
+                    << " no finite velocity, positive pressure and"
+                    << " temperature: U = "
+                    << U_.boundaryField()[patch.patchi][i] << " m/s, p = "
+                    << thermo_.p().boundaryField()[patch.patchi][i]
+                    << " Pa, T = "
+                    << thermo_.T().boundaryField()[patch.patchi][i] << " K"
+                    << endl;
+            }
+        }
     }
 
     // Marked as incomplete: to look at, not to restart from
@@ -600,6 +672,7 @@ void Foam::gasEquations::correctBoundary()
     const int nDim = geometry_.nDim();
     const label nCells = geometry_.nCells();
     const label nInternal = geometry_.nInternal();
+    brokenFace_ = -1;
 
     // The boundary conditions read the fields next to the boundary only
     for (label f = nInternal; f < geometry_.nFaces(); f++)
@@ -643,6 +716,15 @@ void Foam::gasEquations::correctBoundary()
         double* q = &primitive[(nCells + patch.start - nInternal)*nVar_];
         for (label i = 0; i < patch.size; i++, q += nVar_)
         {
+            const bool good =
+                pp[i] > 0 && pp[i] < GREAT && Tp[i] > 0 && Tp[i] < GREAT
+             && magSqr(Up[i]) < GREAT;
+            if (!good)
+            {
+                // Refused at the next step, with all ranks knowing
+                brokenFace_ = patch.start + i;
+                continue;
+            }
             q[0] = pp[i];
             q[1] = Tp[i];
             for (int d = 0; d < nDim; d++)

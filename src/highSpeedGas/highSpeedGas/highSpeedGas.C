@@ -5,6 +5,7 @@
 #include "highSpeedGas.H"
 #include "ImplicitGaussSeidel.H"
 #include "localIOdictionary.H"
+#include "sigFpe.H"
 
 const Foam::Enum<Foam::highSpeedGas::modeType>
 Foam::highSpeedGas::modeNames
@@ -128,16 +129,21 @@ void Foam::highSpeedGas::checkPositive(const fvMesh& mesh, const word& name)
         volScalarField::typeName
     );
 
+    const sigFpe::ignore untrapped;     // A NaN must be looked at
     auto check = [&](const dictionary& d, const word& key, const label size)
     {
         const scalarField values(key, d, size);
-        if (size && !(min(values) > 0))
+        forAll(values, i)
         {
-            FatalIOErrorInFunction(d)
-                << "Entry " << key << " of " << name << " in " << d.dictName()
-                << " holds " << name << " = " << min(values)
-                << "; pressure and temperature must be positive (> 0)"
-                << exit(FatalIOError);
+            if (!(values[i] > 0 && values[i] < GREAT))
+            {
+                FatalIOErrorInFunction(d)
+                    << "Entry " << key << " of " << name << " in "
+                    << d.dictName() << " holds " << name << " = " << values[i]
+                    << " at index " << i
+                    << "; pressure and temperature must be positive (> 0)"
+                    << " and finite" << exit(FatalIOError);
+            }
         }
     };
 
@@ -225,6 +231,7 @@ Foam::highSpeedGas::highSpeedGas(const fvMesh& mesh)
         mode_ == modeType::steady
      && state_.getOrDefault<scalar>("imbalance", GREAT) <= residual_;
 
+    const sigFpe::ignore untrapped;     // A NaN must be looked at
     equations_.reset
     (
         new gasEquations(mesh, *thermo_, U_, rho_, phi_, viscous_)
@@ -375,6 +382,30 @@ void Foam::highSpeedGas::marchToSteadyState()
 }
 
 
+void Foam::highSpeedGas::restartFromWritten()
+{
+    if (mesh_.time().writeTime())
+    {
+        equations_->conserveFromPrimitive();
+    }
+}
+
+
+void Foam::highSpeedGas::needTransient(const string& what) const
+{
+    if (mode_ != modeType::transient)
+    {
+        FatalIOErrorInFunction
+        (
+            mesh_.solutionDict().subDict("highSpeedGas")
+        )
+            << what << " needs a gas that is marched in time: entry 'mode',"
+            << " value " << modeNames[mode_] << ", must be transient"
+            << exit(FatalIOError);
+    }
+}
+
+
 bool Foam::highSpeedGas::solve()
 {
     if (frozen())
@@ -383,6 +414,10 @@ bool Foam::highSpeedGas::solve()
     }
 
     const scalar start = mesh_.time().elapsedCpuTime();
+
+    // A floating-point exception would end the run before it can say where:
+    // what a step makes of the state is looked at before it is accepted
+    const sigFpe::ignore untrapped;
 
     if (mode_ == modeType::steady)
     {
@@ -398,13 +433,25 @@ bool Foam::highSpeedGas::solve()
         }
     }
     publish();
-
-    // Go on from what is written, so that a restart goes the same way
-    if (mesh_.time().writeTime())
-    {
-        equations_->conserveFromPrimitive();
-    }
+    restartFromWritten();
 
     cpuTime_ += mesh_.time().elapsedCpuTime() - start;
     return true;
+}
+
+
+void Foam::highSpeedGas::receive
+(
+    const vectorField& momentum,
+    const scalarField& energy
+)
+{
+    const scalar start = mesh_.time().elapsedCpuTime();
+    const sigFpe::ignore untrapped;
+
+    equations_->receive(momentum, energy);
+    publish();
+    restartFromWritten();
+
+    cpuTime_ += mesh_.time().elapsedCpuTime() - start;
 }

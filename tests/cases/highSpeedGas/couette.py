@@ -9,8 +9,9 @@ of Sutherland's gas is proportional to its viscosity, lambda = k mu,
 """
 
 import numpy as np
-from caseTools import (GAMMA, R_GAS, box, last_fields, must, run, verdict,
-                       write_block, write_case, write_field)
+from caseTools import (GAMMA, R_GAS, box, copy_case, decompose, last_fields,
+                       must, run, solve, verdict, write_block, write_case,
+                       write_field)
 
 V, TW, HEIGHT = 600.0, 300.0, 1e-3
 CV = R_GAS/(GAMMA - 1)
@@ -41,6 +42,8 @@ for n in 10, 20, 40:
                 {**sides, "yMin": "type noSlip;",
                  "yMax": f"{fixed}({V} 0 0);"})
     must(case, "blockMesh")
+    if n == 10:
+        copy_case(case, "couetteRanks")
     status, text = run(case, "rhoCentralParcelFoam")
     T, U = last_fields(case, "T U")
     middle = (np.arange(2*n)//2 + 0.5)/n
@@ -54,3 +57,12 @@ verdict("couette", max(worst) < 2e-4,
         " tolerance 2e-4")
 order = np.log2(errors[0][0]/errors[-1][0])/2
 verdict("couetteOrder", order > 1.8, f"order {order:.2f} in u, wanted 1.8")
+
+decompose("couetteRanks", (1, 2, 1))
+solve("couetteRanks", 2)
+must("couetteRanks", "reconstructPar", "-latestTime")
+difference = max(abs(a - b).max()/scale for a, b, scale in zip(
+    last_fields("couetteRanks", "T U"), last_fields("couette10", "T U"),
+    (TW, V)))
+verdict("couetteTwoRanks", difference < 1e-7,
+        f"differs from one rank by {difference:.1e}, tolerance 1e-7")

@@ -59,7 +59,7 @@ bool Foam::RungeKutta::attempt()
         if (!accepted)
         {
             gas_.conserved = old_;
-            gas_.accept(old_);
+            gas_.restore(old_);
             gas_.correctBoundary();
             return false;
         }
