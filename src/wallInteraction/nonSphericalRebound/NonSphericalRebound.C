@@ -164,7 +164,7 @@ Foam::NonSphericalRebound<CloudType>::readWall
             return true;
         }
     );
-    if (parcelSpin::carried<parcelType>())
+    if (this->spins())
     {
         Info<< "    " << this->modelType() << ": a table holds arrivals"
             << " without spin; that of a parcel is used by method direct only"

@@ -37,7 +37,6 @@ void Foam::ParcelWallModel<CloudType>::publish
 {
     const Time& time = this->owner().db().time();
     const scalar mass = p.mass();
-    const bool spin = parcelSpin::carried<parcelType>();
 
     wallImpact impact;
     impact.patch = pp.index();
@@ -52,9 +51,9 @@ void Foam::ParcelWallModel<CloudType>::publish
     impact.U0 = hit.U0;
     impact.U1 = U1;
     impact.omega0 = hit.omega0;
-    impact.omega1 = spin ? fromCore(hit.omega1) : vector(Zero);
-    impact.rotationalEnergy0 = spin ? mass*hit.rotation0 : 0;
-    impact.rotationalEnergy1 = spin ? mass*hit.rotation1 : 0;
+    impact.omega1 = spins_ ? fromCore(hit.omega1) : vector(Zero);
+    impact.rotationalEnergy0 = spins_ ? mass*hit.rotation0 : 0;
+    impact.rotationalEnergy1 = spins_ ? mass*hit.rotation1 : 0;
     impact.d = p.d();
     impact.mass = mass;
     impact.nParticle = p.nParticle();
@@ -108,7 +107,7 @@ inline bool Foam::ParcelWallModel<CloudType>::arrive
     }
     hit.n = toCore(-nw);
     hit.V0 = toCore(V0);
-    hit.omega0 = parcelSpin::get(p);
+    hit.omega0 = spins_ ? parcelSpin::get(p) : vector(Zero);
     hit.radius = 0.5*p.d();
 
     if (fate == fateType::capture)
@@ -158,7 +157,10 @@ inline void Foam::ParcelWallModel<CloudType>::leave
         }
     }
     p.U() = V1 + hit.Uw;
-    parcelSpin::set(p, fromCore(hit.omega1));
+    if (spins_)
+    {
+        parcelSpin::set(p, fromCore(hit.omega1));
+    }
     if constexpr (parcelSpin::countsImpacts<parcelType>::value)
     {
         ++p.nImpacts();
@@ -172,7 +174,7 @@ inline void Foam::ParcelWallModel<CloudType>::leave
             impact::translationalEnergy(hit.V0)
           - impact::translationalEnergy(toCore(V1))
         );
-    if (parcelSpin::carried<parcelType>())
+    if (spins_)
     {
         c[wallCounters::rotationLost] +=
             mass*(hit.rotation0 - hit.rotation1);
@@ -231,6 +233,14 @@ Foam::ParcelWallModel<CloudType>::ParcelWallModel
     fates_(patches_.size()),
     counters_(wallCounters::New(owner)),
     impacts_(wallImpacts::New(owner)),
+    spins_
+    (
+        parcelSpin::carried<parcelType>()
+     && owner.solution().dict().template lookupOrDefault<Switch>
+        (
+            "rotation", true
+        )
+    ),
     reduced_(owner.pMesh().nSolutionD() < 3),
     keepSpeed_
     (
@@ -303,6 +313,7 @@ Foam::ParcelWallModel<CloudType>::ParcelWallModel(const ParcelWallModel<CloudTyp
     fates_(other.fates_),
     counters_(other.counters_),
     impacts_(other.impacts_),
+    spins_(other.spins_),
     reduced_(other.reduced_),
     keepSpeed_(other.keepSpeed_)
 {}

@@ -30,7 +30,7 @@ def write_plate(case, model, coeffs, injectors, *, end=4e-4, step=2e-4,
                 write=None, lengths=(1, 0.1, 0.2), cells=(2, 2, 2),
                 sides=None, wall_velocity=(0, 0, 0), functions="",
                 libs="parcelInjection parcelWallInteraction", extra="",
-                fmt="binary"):
+                solution="", fmt="binary"):
     """A case in a new folder. coeffs: text of the model's dictionary."""
     sides = sides or SIDES
     write_foam(case, "system/controlDict", f"""
@@ -67,7 +67,7 @@ libs ({libs});""")
 solution
 {{
     active yes; coupled no; transient yes; cellValueSourceCorrection off;
-    maxCo 1e6;
+    maxCo 1e6; {solution}
     interpolationSchemes {{ rho cell; U cell; mu cell; }}
     integrationSchemes {{ U Euler; }}
 }}

@@ -68,33 +68,38 @@ def check_hard_sphere():
     r = d/2
     I = 0.1*2500*math.pi/6*d**3*d*d
     angles = (1, 10, 30, 50, 80)
-    # Down to the plate, up to the lid, down again: with spin
-    case = new("sphere")
-    write_plate(case, "hardSphereWall",
-                patches(f'"yM.*" {{ restitution {e}; friction {f}; }}',
-                        '"[xz]M.*" { type escape; }'),
-                [injector((0.3 + 0.01*i, 0.005, 0.1),
-                          (0.3 + 0.01*i, 0.005, 0.1), 1,
-                          direction(a), d) for i, a in enumerate(angles)],
-                lengths=(1, 0.01, 0.2), end=2e-3)
-    mesh(case)
-    log = solve(case)
-    ids, U, L = parcels(case, "0.002", "U", "angularMomentum")
-    worst, impacts, slides = 0, 0, 0
-    for a, u, spin in zip(angles, U, L/I):
-        V, w, y, t = np.array(direction(a)), np.zeros(3), 0.005, 2e-3
-        while True:
-            need = (0.01 - y if V[1] > 0 else -y)/V[1]
-            if need > t:
-                break
-            n = (0, -1, 0) if V[1] > 0 else (0, 1, 0)
-            before = V
-            V, w = hard_sphere(V, w, n, r, e, f)
-            slides += abs(V[0] + r*w[2]*n[1]) > 1e-6
-            y, t, impacts = 0.01 if before[1] > 0 else 0, t - need, impacts + 1
-        worst = max(worst, np.abs(u - V).max(), r*np.abs(spin - w).max())
-    verdict("hardSphere_bounces", worst < 1e-10,
-            f"{impacts} impacts of 5 parcels, largest difference {worst:.1e}")
+    # Down to the plate, up to the lid, down again: with and without spin
+    for rotation in ("off", "on"):
+        case = new("sphere")
+        write_plate(case, "hardSphereWall",
+                    patches(f'"yM.*" {{ restitution {e}; friction {f}; }}',
+                            '"[xz]M.*" { type escape; }'),
+                    [injector((0.3 + 0.01*i, 0.005, 0.1),
+                              (0.3 + 0.01*i, 0.005, 0.1), 1,
+                              direction(a), d) for i, a in enumerate(angles)],
+                    lengths=(1, 0.01, 0.2), end=2e-3,
+                    solution=f"rotation {rotation};")
+        mesh(case)
+        log = solve(case)
+        ids, U, L = parcels(case, "0.002", "U", "angularMomentum")
+        worst, impacts, slides = 0, 0, 0
+        for a, u, spin in zip(angles, U, L/I):
+            V, w, y, t = np.array(direction(a)), np.zeros(3), 0.005, 2e-3
+            while True:
+                need = (0.01 - y if V[1] > 0 else -y)/V[1]
+                if need > t:
+                    break
+                up = V[1] > 0
+                n = (0, -1, 0) if up else (0, 1, 0)
+                V, w = hard_sphere(V, w, n, r, e, f)
+                slides += abs(V[0] + r*w[2]*n[1]) > 1e-6
+                if rotation == "off":
+                    w = np.zeros(3)
+                y, t, impacts = 0.01 if up else 0, t - need, impacts + 1
+            worst = max(worst, np.abs(u - V).max(), r*np.abs(spin - w).max())
+        verdict(f"hardSphere_bounces_rotation_{rotation}", worst < 1e-10,
+                f"{impacts} impacts of 5 parcels, largest difference"
+                f" {worst:.1e}")
     c, lid = counters(log), counters(log, "yMax")
     verdict("hardSphere_counters",
             c["hits"][0] + lid["hits"][0] == impacts
