@@ -119,8 +119,7 @@ void impact::sweptGrid::makeAxes(level& l, std::int64_t nBoxes) const
     {
         axis& a = l.axes[k];
         a.origin = a.periodic ? domain_.low[k] : origin_[k];
-        a.cell = a.periodic ? period_[k]/a.n : l.size;
-        a.perCell = 1/a.cell;
+        a.perCell = a.periodic ? a.n/period_[k] : 1/l.size;
     }
 }
 

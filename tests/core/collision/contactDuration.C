@@ -1,0 +1,56 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+
+Description
+    The rule that bounds the number of dissipative collisions.
+\*---------------------------------------------------------------------------*/
+
+#include "contactDuration.H"
+
+#include <gtest/gtest.h>
+
+using namespace impact;
+
+
+TEST(contactDuration, allowsEightDissipativeCollisionsInAWindow)
+{
+    const contactDuration rule(1e-3);
+    recentContacts r;
+    int dissipative = 0;
+    for (int i = 0; i < 100000; ++i)
+    {
+        // Ten windows, ten thousand collisions in each
+        const double t = 5 + 1e-7*i;
+        dissipative += !rule.elastic(r, t, 1, 0);
+        rule.count(r, t);
+    }
+    EXPECT_GE(dissipative, 8*10);
+    EXPECT_LE(dissipative, 9*11);
+
+    // Rarely enough: all of them
+    recentContacts s;
+    for (int i = 0; i < 1000; ++i)
+    {
+        EXPECT_FALSE(rule.elastic(s, 2e-4*i, 1, 0));
+        rule.count(s, 2e-4*i);
+    }
+}
+
+
+TEST(contactDuration, makesSlowContactsUnderLoadElastic)
+{
+    const contactDuration rule(1e-3);
+    const recentContacts r;
+    EXPECT_TRUE(rule.elastic(r, 0, 0.0049, 9.81));
+    EXPECT_FALSE(rule.elastic(r, 0, 0.0050, 9.81));
+    EXPECT_FALSE(rule.elastic(r, 0, 1e-9, 0));
+
+    // None of it without a duration
+    const contactDuration none;
+    recentContacts s;
+    for (int i = 0; i < 100; ++i)
+    {
+        EXPECT_FALSE(none.elastic(s, 0, 0, 9.81));
+        none.count(s, 0);
+    }
+}
