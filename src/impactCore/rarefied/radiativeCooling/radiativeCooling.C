@@ -449,20 +449,18 @@ double impact::radiativeCooling::after
 }
 
 
-double impact::radiativeCooling::eulerStep
-(
-    double T,
-    double diameter,
-    double deltaT
-) const
+double impact::radiativeCooling::eulerHeat(double diameter) const
 {
-    const double x = T/scaleT_;
-    const piece& p = at(x);
-    const double c = scaleC_*(p.a + p.b*x);
-    const double area = 1.5/(diameter*setup_.density*c);
-    const double power =
-        absorbed_ - 4*setup_.emissivity*stefanBoltzmann*fourth(T);
-    return T + deltaT*area*power;
+    const double c = setup_.heatCapacity.front().second;
+    return 1.5*absorbed_/(diameter*setup_.density*c);
+}
+
+
+double impact::radiativeCooling::eulerLoss(double diameter) const
+{
+    const double c = setup_.heatCapacity.front().second;
+    return
+        6*setup_.emissivity*stefanBoltzmann/(diameter*setup_.density*c);
 }
 
 
