@@ -4,72 +4,12 @@
 
 #include "scatteringSetup.H"
 
-#include "OSspecific.H"
-#include "vector.H"
-#include "ListOps.H"
-#include "FlatOutput.H"
-
-#include <functional>
-#include <stdexcept>
+#include "dictionaryChecks.H"
 
 namespace
 {
 
 using namespace Foam;
-
-//- The core's complaints about values become errors of the dictionary
-template<class Result>
-Result checked
-(
-    const dictionary& dict,
-    const std::function<Result()>& construct
-)
-{
-    try
-    {
-        return construct();
-    }
-    catch (const std::invalid_argument& error)
-    {
-        FatalIOErrorInFunction(dict) << error.what() << exit(FatalIOError);
-    }
-    return construct();
-}
-
-
-[[noreturn]] void unknownWord
-(
-    const dictionary& dict,
-    const char* entry,
-    const word& value,
-    const wordList& valid
-)
-{
-    FatalIOErrorInFunction(dict)
-        << "Unknown " << entry << ' ' << value << nl
-        << "Valid words: " << flatOutput(valid) << exit(FatalIOError);
-    std::abort();
-}
-
-
-impact::vector3 getVector(const dictionary& dict, const word& name)
-{
-    const vector v(dict.get<vector>(name));
-    return {v.x(), v.y(), v.z()};
-}
-
-
-fileName getFile
-(
-    const dictionary& dict,
-    const fileName& casePath
-)
-{
-    fileName file(dict.get<fileName>("file"));
-    file.expand();
-    return file.isAbsolute() ? file : casePath/file;
-}
-
 
 impact::convexBody readShape
 (
@@ -79,7 +19,7 @@ impact::convexBody readShape
 {
     typedef impact::convexBody body;
     const word type(dict.get<word>("type"));
-    return checked<body>(dict, [&]() -> body
+    return checked(dict, [&]() -> body
     {
         if (type == "sphere")
         {
@@ -132,7 +72,7 @@ std::shared_ptr<const impact::relief> readWall
     }
     return std::make_shared<const relief>
     (
-        checked<relief>(dict, [&]() -> relief
+        checked(dict, [&]() -> relief
         {
             if (type == "rough")
             {
@@ -177,7 +117,7 @@ impact::reboundLaw readLaw(const dictionary& dict)
 {
     typedef impact::reboundLaw law;
     const word type(dict.get<word>("type"));
-    return checked<law>(dict, [&]() -> law
+    return checked(dict, [&]() -> law
     {
         if (type == "restitution")
         {
@@ -205,23 +145,7 @@ impact::reboundLaw readLaw(const dictionary& dict)
 
 List<scalar> readIncidences(const dictionary& dict)
 {
-    ITstream& is = dict.lookup("incidence");
-    const token first(is);
-    is.rewind();
-    List<scalar> angles;
-    if (first.isNumber())
-    {
-        angles.append(dict.get<scalar>("incidence"));
-    }
-    else
-    {
-        angles = dict.get<List<scalar>>("incidence");
-    }
-    if (angles.empty())
-    {
-        FatalIOErrorInFunction(dict)
-            << "incidence: the list is empty" << exit(FatalIOError);
-    }
+    const List<scalar> angles(getNumbers(dict, "incidence"));
     forAll(angles, i)
     {
         if (!(angles[i] > 0 && angles[i] <= 90))
@@ -289,36 +213,14 @@ Foam::scatteringSetup::scatteringSetup
       ? impact::orientationLaw::isotropic
       : impact::orientationLaw::uniformEuler;
 
-    // Read as a real number: more than an integer of 32 bits may be asked for
-    const scalar number = dict.get<scalar>("nParticles");
-    if (!(number >= 1 && number <= 1e15) || number != std::floor(number))
-    {
-        FatalIOErrorInFunction(dict)
-            << "nParticles " << number
-            << ": valid range: whole numbers from 1 to 1e15"
-            << exit(FatalIOError);
-    }
-    nParticles = int64_t(number);
-
-    const scalar seed = dict.getOrDefault<scalar>("seed", 1);
-    if (!(seed >= 0 && seed <= 9e15) || seed != std::floor(seed))
-    {
-        FatalIOErrorInFunction(dict)
-            << "seed " << seed
-            << ": valid range: whole numbers from 0 to 9e15"
-            << exit(FatalIOError);
-    }
-    sampler.seed = uint64_t(seed);
+    nParticles = getWhole
+        (dict, "nParticles", dict.get<scalar>("nParticles"), 1, 1e15);
+    sampler.seed = uint64_t(getWhole
+        (dict, "seed", dict.getOrDefault<scalar>("seed", 1), 0, 9e15));
     sampler.binWidth = dict.getOrDefault<scalar>("binWidth", 1);
     sampler.maxImpacts = dict.getOrDefault<label>("maxImpacts", 200);
 
-    targetError = dict.getOrDefault<scalar>("targetError", 0);
-    if (dict.found("targetError") && !(targetError > 0 && targetError < 1))
-    {
-        FatalIOErrorInFunction(dict)
-            << "targetError " << targetError << ": valid range (0, 1)"
-            << exit(FatalIOError);
-    }
+    targetError = getTargetError(dict);
     tableSamples = dict.getOrDefault<label>("tableSamples", 1024);
     if (tableSamples < 1)
     {
@@ -327,7 +229,7 @@ Foam::scatteringSetup::scatteringSetup
             << exit(FatalIOError);
     }
 
-    checked<bool>(dict, [&]
+    checked(dict, [&]
     {
         impact::scatteringSampler(sampler).emptyStatistics();
         return true;

@@ -435,32 +435,27 @@ impact::plumeStatistics::estimate impact::plumeStatistics::radius
 double impact::plumeStatistics::largestError() const
 {
     double worst = 0;
-    bool some = false;
     for (std::size_t grid = 0; grid < setup_.grids.size(); ++grid)
     {
-        const plumeGrid& shape = setup_.grids[grid];
+        const int nCells = setup_.grids[grid].nCells();
         for (int group = 0; group < nGroups(); ++group)
         {
-            // The volume of a cell depends on all of its numbers
-            const int nCells = shape.nCells();
-            std::vector<double> density(nCells);
-            double peak = 0;
+            const cellSum* sums = cells(int(grid), group);
+            std::int64_t most = 0;
             for (int i = 0; i < nCells; ++i)
             {
-                density[i] = numberDensity(int(grid), group, i).value;
-                peak = std::max(peak, density[i]);
+                most = std::max(most, sums[i].n);
             }
+            const double N = double(sampled(group));
             for (int i = 0; i < nCells; ++i)
             {
-                if (peak > 0 && density[i] > 0.1*peak)
+                const double n = double(sums[i].n);
+                if (most > 0 && n >= 0.1*double(most))
                 {
-                    some = true;
-                    const double n = double(count(int(grid), group, i));
-                    const double N = double(sampled(group));
                     worst = std::max(worst, std::sqrt((1 - n/N)/n));
                 }
             }
         }
     }
-    return some ? worst : std::numeric_limits<double>::infinity();
+    return worst > 0 ? worst : std::numeric_limits<double>::infinity();
 }
