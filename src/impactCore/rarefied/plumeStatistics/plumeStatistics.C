@@ -46,19 +46,26 @@ impact::plumeStatistics::estimate mean(const impact::cellSum& s, double scale)
 
 void impact::logHistogram::add(const logHistogram& h)
 {
-    for (std::size_t i = 0; i < counts_.size(); ++i)
+    zero_ += h.zero_;
+    for (int o = 0; o < 2*nOctaves; ++o)
     {
-        counts_[i] += h.counts_[i];
+        for (std::size_t i = 0; i < h.octaves_[o].size(); ++i)
+        {
+            at(o, std::int64_t(i)) += h.octaves_[o][i];
+        }
     }
 }
 
 
 std::int64_t impact::logHistogram::total() const
 {
-    std::int64_t n = 0;
-    for (const std::int64_t c : counts_)
+    std::int64_t n = zero_;
+    for (const auto& counts : octaves_)
     {
-        n += c;
+        for (const std::int64_t c : counts)
+        {
+            n += c;
+        }
     }
     return n;
 }
@@ -67,26 +74,49 @@ std::int64_t impact::logHistogram::total() const
 double impact::logHistogram::quantile(double p) const
 {
     const double wanted = p*double(total());
-    auto end = [](int i)
+    double below = 0, result = 0;
+
+    // The bin from a to b, in the order of the numbers: is it the one?
+    auto found = [&](std::int64_t count, double a, double b)
     {
-        // Lower end of the bin of positive numbers number i
-        const int cells = 1 << bits;
-        return std::ldexp(1 + double(i % cells)/cells, lowest + i/cells);
-    };
-    double below = 0;
-    for (int i = 0; i < 2*half + 1; ++i)
-    {
-        const double c = double(counts_[i]);
-        if (c > 0 && below + c >= wanted)
+        const double c = double(count);
+        if (count == 0 || below + c < wanted)
         {
-            const double f = std::max(0., (wanted - below)/c);
-            const int k = i - half;
-            return
-                k == 0 ? 0
-              : k > 0 ? end(k - 1) + f*(end(k) - end(k - 1))
-              : -end(-k) + f*(end(-k) - end(-k - 1));
+            below += c;
+            return false;
         }
-        below += c;
+        result = a + std::max(0., (wanted - below)/c)*(b - a);
+        return true;
+    };
+    auto end = [](int octave, std::size_t i)
+    {
+        return std::ldexp(1 + double(i)/perOctave, lowest + octave);
+    };
+    for (int o = nOctaves; o-- > 0;)
+    {
+        const auto& counts = octaves_[nOctaves + o];
+        for (std::size_t i = counts.size(); i-- > 0;)
+        {
+            if (found(counts[i], -end(o, i + 1), -end(o, i)))
+            {
+                return result;
+            }
+        }
+    }
+    if (found(zero_, 0, 0))
+    {
+        return 0;
+    }
+    for (int o = 0; o < nOctaves; ++o)
+    {
+        const auto& counts = octaves_[o];
+        for (std::size_t i = 0; i < counts.size(); ++i)
+        {
+            if (found(counts[i], end(o, i), end(o, i + 1)))
+            {
+                return result;
+            }
+        }
     }
     return 0;
 }
@@ -94,28 +124,24 @@ double impact::logHistogram::quantile(double p) const
 
 void impact::logHistogram::pack(std::vector<std::int64_t>& data) const
 {
-    std::size_t first = 0, last = counts_.size();
-    while (first < last && counts_[first] == 0)
+    data.push_back(zero_);
+    for (const auto& counts : octaves_)
     {
-        ++first;
+        data.push_back(std::int64_t(counts.size()));
+        data.insert(data.end(), counts.begin(), counts.end());
     }
-    while (last > first && counts_[last - 1] == 0)
-    {
-        --last;
-    }
-    data.push_back(std::int64_t(first));
-    data.push_back(std::int64_t(last));
-    data.insert(data.end(), &counts_[0] + first, &counts_[0] + last);
 }
 
 
 void impact::logHistogram::unpack(const std::int64_t*& data)
 {
-    const std::int64_t first = *data++;
-    const std::int64_t last = *data++;
-    std::fill(counts_.begin(), counts_.end(), 0);
-    std::copy(data, data + (last - first), counts_.begin() + first);
-    data += last - first;
+    zero_ = *data++;
+    for (auto& counts : octaves_)
+    {
+        const std::int64_t n = *data++;
+        counts.assign(data, data + n);
+        data += n;
+    }
 }
 
 
