@@ -34,6 +34,14 @@ int main(int argc, char* argv[])
     highSpeedGas gas(mesh);
     parcelClouds clouds(mesh, gas.rho(), gas.U(), gas.thermo());
 
+    const bool coupled = clouds.coupled();
+    if (coupled)
+    {
+        gas.needTransient("A cloud that acts on the gas");
+    }
+    vectorField momentum(coupled ? mesh.nCells() : 0);
+    scalarField energy(momentum.size());
+
     Info<< nl << "Starting time loop" << nl << endl;
 
     while (runTime.run())
@@ -49,6 +57,11 @@ int main(int argc, char* argv[])
         if (!clouds.empty())
         {
             clouds.evolve(changed);
+        }
+        if (coupled)
+        {
+            clouds.give(momentum, energy);
+            gas.receive(momentum, energy);
         }
 
         if (clouds.empty() && gas.frozen())

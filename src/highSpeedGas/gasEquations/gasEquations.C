@@ -575,6 +575,31 @@ Foam::label Foam::gasEquations::accept(const std::vector<double>& state)
 }
 
 
+void Foam::gasEquations::receive
+(
+    const vectorField& momentum,
+    const scalarField& energy
+)
+{
+    for (label c = 0; c < geometry_.nCells(); c++)
+    {
+        const double perVolume = 1/geometry_.volume[c];
+        double* w = &conserved[c*nVar_];
+        w[1] += energy[c]*perVolume;
+        for (int d = 0; d < geometry_.nDim(); d++)
+        {
+            w[2 + d] += momentum[c][geometry_.direction(d)]*perVolume;
+        }
+    }
+
+    if (accept(conserved) != 0)
+    {
+        reportTrouble();
+    }
+    correctBoundary();
+}
+
+
 void Foam::gasEquations::reportTrouble()
 {
     label celli = -1;

@@ -382,6 +382,30 @@ void Foam::highSpeedGas::marchToSteadyState()
 }
 
 
+void Foam::highSpeedGas::restartFromWritten()
+{
+    if (mesh_.time().writeTime())
+    {
+        equations_->conserveFromPrimitive();
+    }
+}
+
+
+void Foam::highSpeedGas::needTransient(const string& what) const
+{
+    if (mode_ != modeType::transient)
+    {
+        FatalIOErrorInFunction
+        (
+            mesh_.solutionDict().subDict("highSpeedGas")
+        )
+            << what << " needs a gas that is marched in time: entry 'mode',"
+            << " value " << modeNames[mode_] << ", must be transient"
+            << exit(FatalIOError);
+    }
+}
+
+
 bool Foam::highSpeedGas::solve()
 {
     if (frozen())
@@ -409,13 +433,25 @@ bool Foam::highSpeedGas::solve()
         }
     }
     publish();
-
-    // Go on from what is written, so that a restart goes the same way
-    if (mesh_.time().writeTime())
-    {
-        equations_->conserveFromPrimitive();
-    }
+    restartFromWritten();
 
     cpuTime_ += mesh_.time().elapsedCpuTime() - start;
     return true;
+}
+
+
+void Foam::highSpeedGas::receive
+(
+    const vectorField& momentum,
+    const scalarField& energy
+)
+{
+    const scalar start = mesh_.time().elapsedCpuTime();
+    const sigFpe::ignore untrapped;
+
+    equations_->receive(momentum, energy);
+    publish();
+    restartFromWritten();
+
+    cpuTime_ += mesh_.time().elapsedCpuTime() - start;
 }

@@ -163,6 +163,35 @@ void Foam::parcelClouds::evolve(const bool gasChanged)
 }
 
 
+bool Foam::parcelClouds::coupled() const
+{
+    bool any = false;
+    forAll(clouds_, i)
+    {
+        any = any || clouds_[i].coupled();
+    }
+    return any;
+}
+
+
+void Foam::parcelClouds::give
+(
+    vectorField& momentum,
+    scalarField& energy
+) const
+{
+    momentum = vector::zero;
+    energy = 0;
+    forAll(clouds_, i)
+    {
+        if (clouds_[i].coupled())
+        {
+            clouds_[i].give(momentum, energy);
+        }
+    }
+}
+
+
 void Foam::parcelClouds::info() const
 {
     forAll(clouds_, i)
