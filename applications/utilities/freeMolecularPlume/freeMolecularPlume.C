@@ -62,8 +62,8 @@ void run
     statistics all(empty);
     const monteCarloRun::result r = monteCarlo.sample
     (
-        sampler.nBlocks(), empty.nGroups(), setup.sampler.nParticles,
-        setup.targetError, empty, all,
+        sampler.nBlocks(), setup.sampler.nParticles, setup.targetError,
+        empty, all,
         [&]
         (
             int64_t from, int64_t to, int proc, int nProcs, int threads,

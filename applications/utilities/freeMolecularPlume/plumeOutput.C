@@ -125,8 +125,7 @@ public:
 };
 
 
-//- Coordinates of the ends of cells along x, y or r; a single layer is as
-//  thick as it is
+//- Coordinates of the ends of cells along one axis
 void writeAxis(textFile& f, const char* name, const std::vector<double>& x)
 {
     f.print("%s_COORDINATES %zu double\n", name, x.size());
@@ -241,8 +240,12 @@ void writeVtk
 }
 
 
-void writeGroups(const fileName& file, const statistics& s,
-    const impact::plumeSource& source)
+void writeGroups
+(
+    const fileName& file,
+    const statistics& s,
+    const impact::plumeSource& source
+)
 {
     textFile f(file);
     f.print("diameter,nearEdge,farEdge");

@@ -67,7 +67,7 @@ void run
     statistics all(sampler.emptyStatistics());
     const monteCarloRun::result r = monteCarlo.sample
     (
-        (N + block - 1)/block, 1, N, setup.targetError,
+        (N + block - 1)/block, N, setup.targetError,
         sampler.emptyStatistics(), all,
         [&]
         (

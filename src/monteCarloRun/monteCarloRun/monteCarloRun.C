@@ -99,7 +99,8 @@ Foam::monteCarloRun::monteCarloRun
             << exit(FatalError);
     }
 
-    // OpenFOAM's handler of Ctrl-C would end the process at once
+    // OpenFOAM's handler of Ctrl-C would end the process at once. The flag
+    // must exist before ours can be called.
     monteCarloStop();
     std::signal(SIGINT, onInterrupt);
 }

@@ -54,7 +54,8 @@ impact::plumeSampler::plumeSampler(const setup& s)
     setup_(s),
     duration_(std::min(s.burnEnd, s.time) - s.burnStart),
     observed_(s.time - s.burnStart),
-    origin_{0, 0, 0}
+    origin_{0, 0, 0},
+    hottest_(0)
 {
     check(std::fabs(s.burnStart) < 1e12, "start", s.burnStart,
         "(-1e12, 1e12) (s)");
@@ -139,6 +140,7 @@ impact::plumeSampler::plumeSampler(const setup& s)
         nozzleAt(observed_, origin_, velocity);
     }
     makeRecords();
+    hottest_ = findHottest();
     emptyStatistics();
 }
 
@@ -205,13 +207,19 @@ void impact::plumeSampler::makeRecords()
 }
 
 
-double impact::plumeSampler::hottest() const
+double impact::plumeSampler::findHottest() const
 {
-    double T = 1;
+    // Towards the equilibrium, or up for ever without emission
+    const radiativeCooling& cooling = *setup_.cooling;
+    const double Te = cooling.equilibrium();
     const double time = std::max(0., observed_);
+    double T = 1;
     auto take = [&](double start, double d)
     {
-        T = std::max({T, start, setup_.cooling->after(start, d, time)});
+        T = std::max
+        ({
+            T, start, std::isfinite(Te) ? Te : cooling.after(start, d, time)
+        });
     };
     for (const plumeSource::beam& b : setup_.source->beams())
     {
@@ -232,17 +240,10 @@ std::int64_t impact::plumeSampler::particles(int group) const
 }
 
 
-std::int64_t impact::plumeSampler::blocksPerGroup() const
-{
-    return (particles(0) + blockSize - 1)/blockSize;
-}
-
-
 std::int64_t impact::plumeSampler::nBlocks() const
 {
     return
-        duration_ > 0
-      ? blocksPerGroup()*std::int64_t(setup_.source->groups().size()) : 0;
+        duration_ > 0 ? (particles(0) + blockSize - 1)/blockSize : 0;
 }
 
 
@@ -263,7 +264,7 @@ impact::plumeStatistics impact::plumeSampler::emptyStatistics() const
         s.emitted.push_back(emitted(int(g)));
     }
     s.nParticles = double(setup_.nParticles);
-    s.hottest = hottest();
+    s.hottest = hottest_;
     return plumeStatistics(s);
 }
 
@@ -470,23 +471,24 @@ void impact::plumeSampler::sample
 ) const
 {
     const std::int64_t G = std::int64_t(setup_.source->groups().size());
+    const std::int64_t n = std::min(to, nBlocks()) - from;
     blockLoop
     (
-        from, std::min(to, nBlocks()), proc, nProcs, threads, stop, result,
+        0, n*G, proc, nProcs, threads, stop, result,
         [this] { return emptyStatistics(); },
         [&]
         {
             std::shared_ptr<workspace> w(new workspace());
             return [&, w](std::int64_t block, plumeStatistics& own)
             {
-                const int group = int(block % G);
-                const std::int64_t first = block/G*blockSize;
-                const std::int64_t n = std::min<std::int64_t>
+                const int group = int(block/n);
+                const std::int64_t first = (from + block % n)*blockSize;
+                const std::int64_t m = std::min<std::int64_t>
                     (blockSize, particles(group) - first);
-                if (n > 0)
+                if (m > 0)
                 {
-                    sampleBlock(group, first, int(n), *w, own);
-                    done += n;
+                    sampleBlock(group, first, int(m), *w, own);
+                    done += m;
                 }
             };
         }
