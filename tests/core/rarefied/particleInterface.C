@@ -32,9 +32,8 @@ public:
 
     temporaryFile()
     {
-        char name[] = "/tmp/particleInterfaceXXXXXX";
-        close(mkstemp(name));
-        name_ = name;
+        name_ = ::testing::TempDir() + "particleInterfaceXXXXXX";
+        close(mkstemp(&name_[0]));
     }
 
     ~temporaryFile()

@@ -3,12 +3,11 @@
 \*---------------------------------------------------------------------------*/
 
 #include "keplerOrbit.H"
+#include "rangeCheck.H"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
-#include <stdexcept>
 
 namespace
 {
@@ -60,12 +59,7 @@ impact::keplerOrbit::keplerOrbit(double mu)
 :
     mu_(mu)
 {
-    if (!(mu > 0 && mu < 1e30))
-    {
-        std::ostringstream text;
-        text<< "mu " << mu << ": valid range (0, 1e30) (m3/s2)";
-        throw std::invalid_argument(text.str());
-    }
+    checkRange(mu > 0 && mu < 1e30, "mu", mu, "(0, 1e30) (m3/s2)");
 }
 
 

@@ -4,24 +4,16 @@
 
 #include "plumeGrid.H"
 #include "gridKernels.H"
+#include "rangeCheck.H"
 
 #include <cmath>
-#include <sstream>
-#include <stdexcept>
 #include <string>
 
 namespace
 {
 
+using impact::checkRange;
 using impact::plumeGrid;
-
-void refuse(const std::string& entry, double value, const char* range)
-{
-    std::ostringstream text;
-    text<< entry << ' ' << value << ": valid range " << range;
-    throw std::invalid_argument(text.str());
-}
-
 
 const plumeGrid::range& checked
 (
@@ -30,22 +22,22 @@ const plumeGrid::range& checked
     bool distance
 )
 {
-    if (!(std::fabs(r.from) < 1e15) || (distance && r.from < 0))
-    {
-        refuse
-        (
-            std::string("from of ") + name, r.from,
-            distance ? "[0, 1e15) (m)" : "(-1e15, 1e15) (m)"
-        );
-    }
-    if (!(r.to > r.from && r.to < 1e15))
-    {
-        refuse(std::string("to of ") + name, r.to, "(from, 1e15) (m)");
-    }
-    if (!(r.n >= 1 && r.n <= 1000000))
-    {
-        refuse(std::string("n of ") + name, r.n, "[1, 1e6]");
-    }
+    checkRange
+    (
+        std::fabs(r.from) < 1e15 && !(distance && r.from < 0),
+        std::string("from of ") + name, r.from,
+        distance ? "[0, 1e15) (m)" : "(-1e15, 1e15) (m)"
+    );
+    checkRange
+    (
+        r.to > r.from && r.to < 1e15,
+        std::string("to of ") + name, r.to, "(from, 1e15) (m)"
+    );
+    checkRange
+    (
+        r.n >= 1 && r.n <= 1000000,
+        std::string("n of ") + name, r.n, "[1, 1e6]"
+    );
     return r;
 }
 
@@ -67,19 +59,16 @@ impact::plumeGrid::plumeGrid
     ranges_{{a, b, c}}
 {
     const double cells = double(a.n)*b.n*c.n;
-    if (cells > 1e8)
-    {
-        refuse("number of cells", cells, "[1, 1e8]");
-    }
+    checkRange(cells <= 1e8, "number of cells", cells, "[1, 1e8]");
 }
 
 
 impact::plumeGrid impact::plumeGrid::axis(const range& x, double radius)
 {
-    if (!(radius > 0 && radius < 1e15))
-    {
-        refuse("radius", radius, "(0, 1e15) (m)");
-    }
+    checkRange
+    (
+        radius > 0 && radius < 1e15, "radius", radius, "(0, 1e15) (m)"
+    );
     plumeGrid g(gridType::axis, checked(x, "x", false), none, none);
     g.halfWidth_ = radius;
     return g;
@@ -94,14 +83,16 @@ impact::plumeGrid impact::plumeGrid::plane
     double thickness
 )
 {
-    if (!(thickness > 0 && thickness < 1e15))
-    {
-        refuse("thickness", thickness, "(0, 1e15) (m)");
-    }
-    if (!(std::fabs(position) < 1e15))
-    {
-        refuse("position", position, "(-1e15, 1e15) (m)");
-    }
+    checkRange
+    (
+        thickness > 0 && thickness < 1e15,
+        "thickness", thickness, "(0, 1e15) (m)"
+    );
+    checkRange
+    (
+        std::fabs(position) < 1e15,
+        "position", position, "(-1e15, 1e15) (m)"
+    );
     plumeGrid g
     (
         gridType::plane, checked(x, "x", false), checked(y, "y", false), none
@@ -134,20 +125,18 @@ impact::plumeGrid impact::plumeGrid::sphere
     int nAzimuth
 )
 {
-    if (!(nPolar >= 1 && nPolar <= 10000))
-    {
-        refuse("nPolar", nPolar, "[1, 1e4]");
-    }
-    if (!(nAzimuth >= 1 && nAzimuth <= 10000))
-    {
-        refuse("nAzimuth", nAzimuth, "[1, 1e4]");
-    }
+    checkRange(nPolar >= 1 && nPolar <= 10000, "nPolar", nPolar, "[1, 1e4]");
+    checkRange
+    (
+        nAzimuth >= 1 && nAzimuth <= 10000, "nAzimuth", nAzimuth, "[1, 1e4]"
+    );
     for (int d = 0; d < 3; ++d)
     {
-        if (!(std::fabs(centre[d]) < 1e15))
-        {
-            refuse("centre", centre[d], "(-1e15, 1e15) (m)");
-        }
+        checkRange
+        (
+            std::fabs(centre[d]) < 1e15,
+            "centre", centre[d], "(-1e15, 1e15) (m)"
+        );
     }
     plumeGrid g
     (

@@ -6,6 +6,7 @@
 #include "blockLoop.H"
 #include "philoxLanes.H"
 #include "plumeKernels.H"
+#include "rangeCheck.H"
 
 #include <algorithm>
 #include <cmath>
@@ -14,17 +15,6 @@
 
 namespace
 {
-
-void check(bool good, const char* entry, double value, const char* range)
-{
-    if (!good)
-    {
-        std::ostringstream text;
-        text<< entry << ' ' << value << ": valid range " << range;
-        throw std::invalid_argument(text.str());
-    }
-}
-
 
 void checkVector
 (
@@ -36,7 +26,7 @@ void checkVector
 {
     for (int d = 0; d < 3; ++d)
     {
-        check(std::fabs(v[d]) < most, entry, v[d], range);
+        impact::checkRange(std::fabs(v[d]) < most, entry, v[d], range);
     }
 }
 
@@ -57,12 +47,12 @@ impact::plumeSampler::plumeSampler(const setup& s)
     origin_{0, 0, 0},
     hottest_(0)
 {
-    check(std::fabs(s.burnStart) < 1e12, "start", s.burnStart,
+    checkRange(std::fabs(s.burnStart) < 1e12, "start", s.burnStart,
         "(-1e12, 1e12) (s)");
-    check(s.burnEnd > s.burnStart && s.burnEnd < 1e12, "end", s.burnEnd,
+    checkRange(s.burnEnd > s.burnStart && s.burnEnd < 1e12, "end", s.burnEnd,
         "(start, 1e12) (s)");
-    check(std::fabs(s.time) < 1e12, "time", s.time, "(-1e12, 1e12) (s)");
-    check(s.nParticles >= 1 && double(s.nParticles) <= 1e13, "nParticles",
+    checkRange(std::fabs(s.time) < 1e12, "time", s.time, "(-1e12, 1e12) (s)");
+    checkRange(s.nParticles >= 1 && double(s.nParticles) <= 1e13, "nParticles",
         double(s.nParticles), "[1, 1e13]");
     checkVector(s.position, "position", 1e15, "(-1e15, 1e15) (m)");
     checkVector(s.velocity, "velocity", 3e8, "(-3e8, 3e8) (m/s)");
@@ -81,12 +71,15 @@ impact::plumeSampler::plumeSampler(const setup& s)
     if (s.gravity)
     {
         const double r = mag(s.position - s.gravityCentre);
-        check(r > 0, "distance of the nozzle from the centre of gravity", r,
-            "> 0 (m)");
+        checkRange
+        (
+            r > 0, "distance of the nozzle from the centre of gravity", r,
+            "> 0 (m)"
+        );
     }
     if (s.temperature == temperatureMethod::euler)
     {
-        check(s.deltaT > 0, "deltaT", s.deltaT, "(0, limit] (s)");
+        checkRange(s.deltaT > 0, "deltaT", s.deltaT, "(0, limit] (s)");
         if (s.cooling->kinked())
         {
             throw std::invalid_argument
@@ -132,7 +125,7 @@ impact::plumeSampler::plumeSampler(const setup& s)
     }
     const double reach =
         (source.topSpeed() + mag(s.velocity))*std::fabs(observed_);
-    check(reach < 1e12, "time times speed", reach, "(0, 1e12) (m)");
+    checkRange(reach < 1e12, "time times speed", reach, "(0, 1e12) (m)");
 
     if (s.frame == frameType::nozzle)
     {

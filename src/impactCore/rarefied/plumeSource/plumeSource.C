@@ -3,27 +3,12 @@
 \*---------------------------------------------------------------------------*/
 
 #include "plumeSource.H"
+#include "rangeCheck.H"
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
-
-namespace
-{
-
-void check(bool good, const char* entry, double value, const char* range)
-{
-    if (!good)
-    {
-        std::ostringstream text;
-        text<< entry << ' ' << value << ": valid range " << range;
-        throw std::invalid_argument(text.str());
-    }
-}
-
-} // End anonymous namespace
-
 
 impact::plumeSource impact::plumeSource::analytic
 (
@@ -31,34 +16,34 @@ impact::plumeSource impact::plumeSource::analytic
     const std::vector<beam>& beams
 )
 {
-    check(exitRadius >= 0 && exitRadius < 1e6, "exitRadius", exitRadius,
+    checkRange(exitRadius >= 0 && exitRadius < 1e6, "exitRadius", exitRadius,
         "[0, 1e6) (m)");
-    check(!beams.empty() && beams.size() <= maxGroups, "number of groups",
+    checkRange(!beams.empty() && beams.size() <= maxGroups, "number of groups",
         double(beams.size()), "[1, 64]");
     plumeSource s;
     s.exitRadius_ = exitRadius;
     s.beams_ = beams;
     for (const beam& b : beams)
     {
-        check(b.diameter > 0 && b.diameter < 1e3, "diameter", b.diameter,
+        checkRange(b.diameter > 0 && b.diameter < 1e3, "diameter", b.diameter,
             "(0, 1e3) (m)");
-        check(b.flux > 0 && b.flux < 1e30, "flux", b.flux,
+        checkRange(b.flux > 0 && b.flux < 1e30, "flux", b.flux,
             "(0, 1e30) (1/s)");
-        check(b.speed > 0 && b.speed < 3e8, "speed", b.speed,
+        checkRange(b.speed > 0 && b.speed < 3e8, "speed", b.speed,
             "(0, 3e8) (m/s)");
-        check
+        checkRange
         (
             b.speedDeviation >= 0 && b.speedDeviation < b.speed/3,
             "speedDeviation", b.speedDeviation, "[0, speed/3) (m/s)"
         );
         const bool cone = b.distribution == angleLaw::cone;
-        check
+        checkRange
         (
             (cone ? b.spread >= 0 : b.spread > 1e-6) && b.spread <= 180,
             "spread", b.spread,
             cone ? "[0, 180] (degrees)" : "(1e-6, 180] (degrees)"
         );
-        check(b.temperature > 0 && b.temperature < 1e8, "temperature",
+        checkRange(b.temperature > 0 && b.temperature < 1e8, "temperature",
             b.temperature, "(0, 1e8) (K)");
         s.groups_.push_back({b.diameter, b.flux, 0, 0});
     }
@@ -74,7 +59,7 @@ impact::plumeSource impact::plumeSource::interface
     double smoothing
 )
 {
-    check(smoothing >= 0 && smoothing < 1e8, "smoothing", smoothing,
+    checkRange(smoothing >= 0 && smoothing < 1e8, "smoothing", smoothing,
         "[0, 1e8) (m/s)");
     plumeSource s;
     s.axisymmetric_ = axisymmetric;
@@ -112,7 +97,7 @@ impact::plumeSource impact::plumeSource::interface
             if (ends.empty() || r.diameter > ends.back())
             {
                 ends.push_back(r.diameter*(1 + 1e-6));
-                check
+                checkRange
                 (
                     ends.size() <= maxGroups,
                     "number of different diameters in the interface file",
@@ -124,11 +109,11 @@ impact::plumeSource impact::plumeSource::interface
     }
     else
     {
-        check(groupEdges.size() >= 2 && groupEdges.size() <= maxGroups + 1,
+        checkRange(groupEdges.size() >= 2 && groupEdges.size() <= maxGroups + 1,
             "number of groupEdges", double(groupEdges.size()), "[2, 65]");
         for (std::size_t i = 0; i < groupEdges.size(); ++i)
         {
-            check
+            checkRange
             (
                 groupEdges[i] > (i ? groupEdges[i - 1] : 0),
                 "groupEdges", groupEdges[i], "> 0 and ascending (m)"

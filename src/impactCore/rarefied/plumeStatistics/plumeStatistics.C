@@ -4,11 +4,11 @@
 
 #include "plumeStatistics.H"
 #include "elementary.H"
+#include "rangeCheck.H"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
 
 namespace
@@ -149,21 +149,17 @@ impact::plumeStatistics::plumeStatistics(const setup& s)
 :
     setup_(s)
 {
-    if (!(s.stationHalfWidth > 0 && s.stationHalfWidth < 1e15))
-    {
-        std::ostringstream text;
-        text<< "stationHalfWidth " << s.stationHalfWidth
-            << ": valid range (0, 1e15) (m)";
-        throw std::invalid_argument(text.str());
-    }
+    checkRange
+    (
+        s.stationHalfWidth > 0 && s.stationHalfWidth < 1e15,
+        "stationHalfWidth", s.stationHalfWidth, "(0, 1e15) (m)"
+    );
     for (const double x : s.stations)
     {
-        if (!(std::fabs(x) < 1e15))
-        {
-            std::ostringstream text;
-            text<< "stations " << x << ": valid range (-1e15, 1e15) (m)";
-            throw std::invalid_argument(text.str());
-        }
+        checkRange
+        (
+            std::fabs(x) < 1e15, "stations", x, "(-1e15, 1e15) (m)"
+        );
     }
     const int room =
         62 - int(std::ceil(std::log2(s.nParticles + 1)))

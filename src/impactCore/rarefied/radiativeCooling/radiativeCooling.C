@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "radiativeCooling.H"
+#include "rangeCheck.H"
 
 #include <algorithm>
 #include <cmath>
@@ -20,17 +21,6 @@ const double hidden = 4e-16;
 
 //- Temperatures the table reaches, on the scale of the equilibrium
 const double hottest = 1e6;
-
-
-void check(bool good, const char* entry, double value, const char* range)
-{
-    if (!good)
-    {
-        std::ostringstream text;
-        text<< entry << ' ' << value << ": valid range " << range;
-        throw std::invalid_argument(text.str());
-    }
-}
 
 
 double arcoth(double distance)
@@ -76,17 +66,17 @@ impact::radiativeCooling::radiativeCooling(const setup& s)
     table_(2*std::size_t(nCells), cell{}),
     law_(lawType::none)
 {
-    check(s.density > 0 && s.density < 1e6, "density", s.density,
+    checkRange(s.density > 0 && s.density < 1e6, "density", s.density,
         "(0, 1e6) (kg/m3)");
-    check(s.absorptivity >= 0 && s.absorptivity <= 1, "absorptivity",
+    checkRange(s.absorptivity >= 0 && s.absorptivity <= 1, "absorptivity",
         s.absorptivity, "[0, 1]");
-    check(s.emissivity >= 0 && s.emissivity <= 1, "emissivity",
+    checkRange(s.emissivity >= 0 && s.emissivity <= 1, "emissivity",
         s.emissivity, "[0, 1]");
-    check(s.sunlight >= 0 && s.sunlight < 1e12, "sunlight", s.sunlight,
+    checkRange(s.sunlight >= 0 && s.sunlight < 1e12, "sunlight", s.sunlight,
         "[0, 1e12) (W/m2)");
-    check(s.reflected >= 0 && s.reflected < 1e12, "reflected", s.reflected,
+    checkRange(s.reflected >= 0 && s.reflected < 1e12, "reflected", s.reflected,
         "[0, 1e12) (W/m2)");
-    check(s.infrared >= 0 && s.infrared < 1e12, "infrared", s.infrared,
+    checkRange(s.infrared >= 0 && s.infrared < 1e12, "infrared", s.infrared,
         "[0, 1e12) (W/m2)");
     if (s.heatCapacity.empty())
     {
@@ -95,14 +85,14 @@ impact::radiativeCooling::radiativeCooling(const setup& s)
     for (std::size_t i = 0; i < s.heatCapacity.size(); ++i)
     {
         const auto& p = s.heatCapacity[i];
-        check(p.second > 0 && p.second < 1e9, "heatCapacity", p.second,
+        checkRange(p.second > 0 && p.second < 1e9, "heatCapacity", p.second,
             "(0, 1e9) (J/(kg K))");
-        check
+        checkRange
         (
             !kinked_ || (p.first > 0 && p.first < 1e8),
             "temperature of heatCapacity", p.first, "(0, 1e8) (K)"
         );
-        check
+        checkRange
         (
             i == 0 || p.first > s.heatCapacity[i - 1].first,
             "temperature of heatCapacity", p.first,
@@ -126,7 +116,7 @@ impact::radiativeCooling::radiativeCooling(const setup& s)
     if (law_ == lawType::both)
     {
         scaleT_ = equilibrium_;
-        check
+        checkRange
         (
             !kinked_
          || (
