@@ -34,7 +34,7 @@ Usage
 #include "argList.H"
 #include "IFstream.H"
 #include "jkrImpactOutput.H"
-#include "utilityTools.H"
+#include "plotResults.H"
 
 using namespace Foam;
 

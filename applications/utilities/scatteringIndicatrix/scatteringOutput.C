@@ -3,69 +3,18 @@
 \*---------------------------------------------------------------------------*/
 
 #include "scatteringOutput.H"
+#include "textFile.H"
 
 #include "OSspecific.H"
 #include "scatteringTable.H"
 
 #include <algorithm>
-#include <cstdio>
-
-namespace
-{
-
-using namespace Foam;
-
-//- A text file written with C's formats, checked when it is closed
-class textFile
-{
-    fileName name_;
-    FILE* file_;
-
-public:
-
-    explicit textFile(const fileName& name)
-    :
-        name_(name),
-        file_(std::fopen(name.c_str(), "w"))
-    {
-        if (!file_)
-        {
-            FatalErrorInFunction
-                << "Cannot write " << name << exit(FatalError);
-        }
-    }
-
-    ~textFile()
-    {
-        const bool bad = std::ferror(file_);
-        if (std::fclose(file_) || bad)
-        {
-            Warning << "Writing " << name_ << " failed" << endl;
-        }
-    }
-
-    void print(const char* text)
-    {
-        std::fputs(text, file_);
-    }
-
-    template<class... Args>
-    void print(const char* format, Args... args)
-    {
-        std::fprintf(file_, format, args...);
-    }
-};
-
-} // End anonymous namespace
-
 
 void Foam::writeScattering
 (
     const fileName& folder,
     const impact::scatteringStatistics& s,
-    const std::vector<convergencePoint>& convergence,
-    double cpuSeconds,
-    bool complete
+    const monteCarloRun::result& run
 )
 {
     typedef impact::scatteringStatistics S;
@@ -98,18 +47,7 @@ void Foam::writeScattering
             }
         }
     }
-    {
-        textFile f(folder/"convergence.csv");
-        f.print("N,largestRelativeStdError,cpuSeconds\n");
-        for (const convergencePoint& p : convergence)
-        {
-            f.print
-            (
-                "%lld,%.6g,%.6g\n",
-                static_cast<long long>(p.N), p.error, p.cpuSeconds
-            );
-        }
-    }
+    writeConvergence(folder/"convergence.csv", run.convergence);
 
     const double N = double(s.count(S::particles));
     const double perParticle = N > 0 ? 1/N : 0;
@@ -138,9 +76,12 @@ void Foam::writeScattering
     row("energyGaining", s.count(S::gaining)*perImpact);
     row("microImpacts", double(s.count(S::microImpacts)));
     row("capped", double(s.count(S::capped)));
-    row("cpuSeconds", cpuSeconds);
-    row("particlesPerCpuSecond", cpuSeconds > 0 ? N/cpuSeconds : 0);
-    row("complete", complete);
+    row("cpuSeconds", run.cpuSeconds);
+    row
+    (
+        "particlesPerCpuSecond", run.cpuSeconds > 0 ? N/run.cpuSeconds : 0
+    );
+    row("complete", run.complete);
 }
 
 

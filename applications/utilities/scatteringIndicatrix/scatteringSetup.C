@@ -15,23 +15,7 @@ using namespace Foam;
 
 List<scalar> readIncidences(const dictionary& dict)
 {
-    ITstream& is = dict.lookup("incidence");
-    const token first(is);
-    is.rewind();
-    List<scalar> angles;
-    if (first.isNumber())
-    {
-        angles.append(dict.get<scalar>("incidence"));
-    }
-    else
-    {
-        angles = dict.get<List<scalar>>("incidence");
-    }
-    if (angles.empty())
-    {
-        FatalIOErrorInFunction(dict)
-            << "incidence: the list is empty" << exit(FatalIOError);
-    }
+    const List<scalar> angles(getNumbers(dict, "incidence"));
     forAll(angles, i)
     {
         if (!(angles[i] > 0 && angles[i] <= 90))
@@ -61,30 +45,15 @@ Foam::scatteringSetup::scatteringSetup
     sampler.spin = {0, 0, 0};
     if (dict.found("spin"))
     {
-        sampler.spin = toCore(dict.get<vector>("spin"));
+        sampler.spin = getVector(dict, "spin");
     }
 
-    // Read as a real number: more than an integer of 32 bits may be asked for
-    const scalar number = dict.get<scalar>("nParticles");
-    if (!(number >= 1 && number <= 1e15) || number != std::floor(number))
-    {
-        FatalIOErrorInFunction(dict)
-            << "nParticles " << number
-            << ": valid range: whole numbers from 1 to 1e15"
-            << exit(FatalIOError);
-    }
-    nParticles = int64_t(number);
-
+    nParticles =
+        getWhole(dict, "nParticles", dict.get<scalar>("nParticles"), 1, 1e15);
     sampler.seed = scatteringEntries::getSeed(dict);
     sampler.binWidth = dict.getOrDefault<scalar>("binWidth", 1);
 
-    targetError = dict.getOrDefault<scalar>("targetError", 0);
-    if (dict.found("targetError") && !(targetError > 0 && targetError < 1))
-    {
-        FatalIOErrorInFunction(dict)
-            << "targetError " << targetError << ": valid range (0, 1)"
-            << exit(FatalIOError);
-    }
+    targetError = getTargetError(dict);
     tableSamples = dict.getOrDefault<label>("tableSamples", 1024);
     if (tableSamples < 1)
     {

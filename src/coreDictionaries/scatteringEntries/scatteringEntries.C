@@ -45,7 +45,7 @@ impact::convexBody readShape
         {
             return body::polyhedron
             (
-                scatteringEntries::getFile(dict, "file", casePath),
+                getFile(dict, "file", casePath),
                 dict.getOrDefault<scalar>("scale", 1)
             );
         }
@@ -87,7 +87,7 @@ std::shared_ptr<const impact::relief> readWall
             {
                 return relief::profile
                 (
-                    scatteringEntries::getFile(dict, "file", casePath),
+                    getFile(dict, "file", casePath),
                     dict.getOrDefault<scalar>("scale", 1)
                 );
             }
@@ -176,29 +176,10 @@ void Foam::scatteringEntries::read
 }
 
 
-Foam::fileName Foam::scatteringEntries::getFile
-(
-    const dictionary& dict,
-    const word& entry,
-    const fileName& casePath
-)
-{
-    fileName file(dict.get<fileName>(entry));
-    file.expand();
-    return file.isAbsolute() ? file : casePath/file;
-}
-
-
 uint64_t Foam::scatteringEntries::getSeed(const dictionary& dict)
 {
-    // Read as a real number: more than an integer of 32 bits may be given
-    const scalar seed = dict.getOrDefault<scalar>("seed", 1);
-    if (!(seed >= 0 && seed <= 9e15) || seed != std::floor(seed))
-    {
-        FatalIOErrorInFunction(dict)
-            << "seed " << seed
-            << ": valid range: whole numbers from 0 to 9e15"
-            << exit(FatalIOError);
-    }
-    return uint64_t(seed);
+    return uint64_t
+    (
+        getWhole(dict, "seed", dict.getOrDefault<scalar>("seed", 1), 0, 9e15)
+    );
 }

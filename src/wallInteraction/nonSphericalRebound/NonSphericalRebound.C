@@ -127,7 +127,7 @@ Foam::NonSphericalRebound<CloudType>::readWall
         return wall;
     }
 
-    const fileName file(scatteringEntries::getFile(dict, "table", casePath));
+    const fileName file(getFile(dict, "table", casePath));
     const Tuple2<scalar, scalar> range
     (
         dict.get<Tuple2<scalar, scalar>>("incidenceRange")

@@ -45,6 +45,20 @@ TEST(elementary, agreesWithTheMathematicsLibrary)
 }
 
 
+TEST(elementary, takesLogarithms)
+{
+    counterRandom rnd(2);
+    for (int i = 0; i < 200000; ++i)
+    {
+        const double x =
+            i % 2 ? std::exp(600*(rnd.uniform() - 0.5)) : 0.5 + rnd.uniform();
+        const double exact = std::log(x);
+        EXPECT_NEAR(logarithm(x), exact, 3e-16*(1 + std::fabs(exact)));
+    }
+    EXPECT_EQ(logarithm(1), 0);
+}
+
+
 TEST(elementary, invertsTheTruncatedNormalLaw)
 {
     // Phi(x) = (1 + erf(x/sqrt 2))/2 between -3 and 3

@@ -2,6 +2,7 @@
     parcelImpact. License: GPL-3.0-or-later, see COPYING.
 \*---------------------------------------------------------------------------*/
 
+#include "blockLoop.H"
 #include "samplerWorkspace.H"
 #include "scatteringKernels.H"
 #include "philoxLanes.H"
@@ -10,7 +11,6 @@
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
-#include <thread>
 
 namespace
 {
@@ -322,47 +322,25 @@ void impact::scatteringSampler::sample
     scatteringStatistics& result
 ) const
 {
-    const std::int64_t firstBlock = from/blockSize;
-    const std::int64_t lastBlock = (to + blockSize - 1)/blockSize;
-    std::atomic<std::int64_t> next(firstBlock + proc);
-
-    auto work = [&](scatteringStatistics& own)
-    {
-        const std::unique_ptr<workspace> w
-        (
-            new workspace(setup_.wall ? *setup_.wall : flat_, setup_.seed)
-        );
-        while (!stop.load(std::memory_order_relaxed))
+    blockLoop
+    (
+        from/blockSize, (to + blockSize - 1)/blockSize,
+        proc, nProcs, threads, stop, result,
+        [this] { return emptyStatistics(); },
+        [&]
         {
-            const std::int64_t block = next.fetch_add(nProcs);
-            if (block >= lastBlock)
+            std::shared_ptr<workspace> w
+            (
+                new workspace(setup_.wall ? *setup_.wall : flat_, setup_.seed)
+            );
+            return [&, w](std::int64_t block, scatteringStatistics& own)
             {
-                break;
-            }
-            const std::int64_t first = block*blockSize;
-            const int n = int(std::min<std::int64_t>(blockSize, to - first));
-            sampleBlock(first, n, *w, own);
-            done += n;
+                const std::int64_t first = block*blockSize;
+                const int n =
+                    int(std::min<std::int64_t>(blockSize, to - first));
+                sampleBlock(first, n, *w, own);
+                done += n;
+            };
         }
-    };
-
-    if (threads <= 1)
-    {
-        work(result);
-        return;
-    }
-    std::vector<scatteringStatistics> own(threads, emptyStatistics());
-    std::vector<std::thread> pool;
-    for (int t = 0; t < threads; ++t)
-    {
-        pool.emplace_back([&, t] { work(own[t]); });
-    }
-    for (std::thread& t : pool)
-    {
-        t.join();
-    }
-    for (const scatteringStatistics& s : own)
-    {
-        result.add(s);
-    }
+    );
 }

@@ -1,0 +1,252 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "particleInterface.H"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace
+{
+
+const char* const title = "# particleInterface version ";
+
+const int nColumns = 9;
+const char* const columns[nColumns] =
+    {"x", "y", "z", "ux", "uy", "uz", "T", "diameter", "weight"};
+
+
+[[noreturn]] void complain(const std::string& file, const std::string& what)
+{
+    throw std::invalid_argument(file + ": " + what);
+}
+
+
+//- The shortest of two forms that gives back the same bits
+void append(std::string& line, double x)
+{
+    char text[32];
+    std::snprintf(text, sizeof(text), "%.15g", x);
+    if (std::strtod(text, nullptr) != x)
+    {
+        std::snprintf(text, sizeof(text), "%.17g", x);
+    }
+    line += text;
+}
+
+
+//- For each column of the file, its place in a record, or -1
+std::vector<int> header(const std::string& file, const std::string& line)
+{
+    std::vector<int> place;
+    int found[nColumns] = {};
+    std::istringstream is(line);
+    for (std::string name; std::getline(is, name, ',');)
+    {
+        while (!name.empty() && (name.back() == '\r' || name.back() == ' '))
+        {
+            name.pop_back();
+        }
+        name.erase(0, name.find_first_not_of(' '));
+        place.push_back(-1);
+        for (int i = 0; i < nColumns; ++i)
+        {
+            if (name == columns[i])
+            {
+                place.back() = i;
+                ++found[i];
+            }
+        }
+    }
+    for (int i = 0; i < nColumns; ++i)
+    {
+        if (found[i] != 1)
+        {
+            complain
+            (
+                file, "the line of column names has "
+              + std::to_string(found[i]) + " columns '" + columns[i]
+              + "', needed are x,y,z,ux,uy,uz,T,diameter,weight once each"
+            );
+        }
+    }
+    return place;
+}
+
+
+void check
+(
+    const std::string& file,
+    int lineNumber,
+    int column,
+    double value
+)
+{
+    const char* range =
+        column < 6 ? "finite" : column < 8 ? "> 0 and finite"
+      : ">= 0 and finite";
+    const bool good =
+        std::isfinite(value)
+     && (column < 6 || value > 0 || (column == 8 && value == 0));
+    if (!good)
+    {
+        std::ostringstream text;
+        text<< "line " << lineNumber << ": " << columns[column] << ' '
+            << value << ": valid range " << range;
+        complain(file, text.str());
+    }
+}
+
+} // End anonymous namespace
+
+
+std::vector<impact::particleInterface::record>
+impact::particleInterface::read(const std::string& file)
+{
+    std::ifstream is(file);
+    if (!is)
+    {
+        complain(file, "cannot be read");
+    }
+    std::string line;
+    std::getline(is, line);
+    const std::string start(title);
+    if (line.compare(0, start.size(), start))
+    {
+        complain
+        (
+            file, "does not begin with '" + start
+          + std::to_string(version) + "'"
+        );
+    }
+    if (std::atoi(line.c_str() + start.size()) != version)
+    {
+        complain
+        (
+            file, "has version " + line.substr(start.size())
+          + ", this program reads version " + std::to_string(version)
+        );
+    }
+
+    std::vector<int> place;
+    std::vector<record> records;
+    for (int n = 2; std::getline(is, line); ++n)
+    {
+        const std::size_t first = line.find_first_not_of(" \t\r");
+        if (first == std::string::npos || line[first] == '#')
+        {
+            continue;
+        }
+        if (place.empty())
+        {
+            place = header(file, line);
+            continue;
+        }
+        double values[nColumns] = {};
+        const char* at = line.c_str();
+        for (std::size_t i = 0; i < place.size(); ++i)
+        {
+            if (place[i] < 0)
+            {
+                while (*at && *at != ',')
+                {
+                    ++at;
+                }
+            }
+            else
+            {
+                char* end;
+                values[place[i]] = std::strtod(at, &end);
+                const bool read = end != at;
+                at = end;
+                while (*at == ' ' || *at == '\r')
+                {
+                    ++at;
+                }
+                if (!read || (*at != ',' && *at != '\0'))
+                {
+                    complain
+                    (
+                        file, "line " + std::to_string(n) + ": column "
+                      + columns[place[i]] + " is not a number"
+                    );
+                }
+                check(file, n, place[i], values[place[i]]);
+            }
+            const bool last = i + 1 == place.size();
+            if (last ? *at == ',' : *at != ',')
+            {
+                complain
+                (
+                    file, "line " + std::to_string(n)
+                  + (last ? " has more" : " has fewer") + " than the "
+                  + std::to_string(place.size()) + " columns named"
+                );
+            }
+            ++at;
+        }
+        records.push_back
+        ({
+            {values[0], values[1], values[2]},
+            {values[3], values[4], values[5]},
+            values[6], values[7], values[8]
+        });
+    }
+    if (place.empty())
+    {
+        complain(file, "has no line of column names");
+    }
+    return records;
+}
+
+
+void impact::particleInterface::write
+(
+    const std::string& file,
+    const std::vector<record>& records,
+    const std::string& comment
+)
+{
+    std::ofstream os(file);
+    os << title << version << '\n';
+    std::istringstream lines(comment);
+    for (std::string line; std::getline(lines, line);)
+    {
+        os << "# " << line << '\n';
+    }
+    for (int i = 0; i < nColumns; ++i)
+    {
+        os << (i ? "," : "") << columns[i];
+    }
+    os << '\n';
+    std::string line;
+    int n = 0;
+    for (const record& r : records)
+    {
+        ++n;
+        const double values[nColumns] =
+        {
+            r.position.x, r.position.y, r.position.z,
+            r.velocity.x, r.velocity.y, r.velocity.z,
+            r.temperature, r.diameter, r.weight
+        };
+        line.clear();
+        for (int i = 0; i < nColumns; ++i)
+        {
+            check(file + ", writing record", n, i, values[i]);
+            append(line, values[i]);
+            line += i + 1 < nColumns ? ',' : '\n';
+        }
+        os << line;
+    }
+    os.flush();
+    if (!os)
+    {
+        complain(file, "cannot be written");
+    }
+}
