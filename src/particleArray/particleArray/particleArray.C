@@ -337,7 +337,8 @@ void Foam::particleArray<Payload>::move(const scalar dt, Boundary& boundary)
     const label nSorted = start_.back();
     const label nAppended = size() - nSorted;
 
-    leavers_.resize(nSorted);
+    leavers_.resize(nSorted + 1);
+    stopped_.resize(nSorted + 1);
     const label nLeavers = walkKernels::fly
     (
         cells_.size(),
@@ -349,9 +350,22 @@ void Foam::particleArray<Payload>::move(const scalar dt, Boundary& boundary)
         dts.cdata(),
         leavers_.data()
     );
-    for (label k = 0; k < nLeavers; ++k)
+    const label nStopped = walkKernels::cross
+    (
+        nLeavers,
+        leavers_.data(),
+        stopped_.data(),
+        cells_.firstGroup(),
+        cells_.planes(),
+        cells_.targets(),
+        x(), y(), z(),
+        u(), v(), w(),
+        dts.cdata(),
+        cell_.data()
+    );
+    for (label k = 0; k < nStopped; ++k)
     {
-        walk(leavers_[k], dt, boundary);
+        walk(stopped_[k], dt, boundary);
     }
     for (label k = 0; k < nAppended; ++k)
     {
