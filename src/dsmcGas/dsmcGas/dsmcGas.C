@@ -26,6 +26,12 @@ namespace Foam
         forWalls = 3
     };
 
+    // A count, in full
+    static int64_t whole(const scalar count)
+    {
+        return int64_t(count + 0.5);
+    }
+
     // Processor time since the last call
     static scalar lap(clock_t& since)
     {
@@ -714,7 +720,8 @@ void Foam::dsmcGas::report()
         << "    molecules: " << n;
     if (e.entered || e.left)
     {
-        Info<< " (+" << e.entered << " entered, -" << e.left << " left)";
+        Info<< " (+" << whole(e.entered) << " entered, -" << whole(e.left)
+            << " left)";
     }
     Info<< nl;
     if (collisions_.valid())
@@ -883,8 +890,9 @@ void Foam::dsmcGas::info() const
     const scalar collide = returnReduce(collideTime_, sumOp<scalar>());
     const scalar sample = returnReduce(sampleTime_, sumOp<scalar>());
 
-    Info<< "Molecules: " << nStart_ << " at the start + " << e.entered
-        << " entered - " << e.left << " left - " << lost << " lost = " << n
+    Info<< "Molecules: " << nStart_ << " at the start + "
+        << whole(e.entered) << " entered - " << whole(e.left) << " left - "
+        << lost << " lost = " << n
         << " now" << nl;
     if (nStart_ + e.entered - e.left - lost != n)
     {
@@ -892,8 +900,8 @@ void Foam::dsmcGas::info() const
             << "The balance of molecules does not close"
             << exit(FatalError);
     }
-    Info<< "Collisions: " << e.collisions << " in " << e.steps << " steps"
-        << nl
+    Info<< "Collisions: " << whole(e.collisions) << " in " << whole(e.steps)
+        << " steps" << nl
         << "Processor time: " << move << " s moving, " << collide
         << " s colliding, " << sample << " s sampling; "
         << e.moleculeSteps/max(move + collide + sample, SMALL)

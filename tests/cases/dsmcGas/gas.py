@@ -1,0 +1,178 @@
+"""The gas against kinetic theory, restarts, ranks and the function objects of
+the stock solver. Every tolerance is at least four standard deviations."""
+
+import os
+import re
+
+import numpy as np
+
+from caseTools import (copy_case, decompose, edit, read_field, times_of,
+                       verdict)
+from dsmcTools import (ARGON, K, NITROGEN, collisions, energies, momenta,
+                       read_molecules, read_wall, reported, solve, write_gas)
+
+PERIODIC = dict.fromkeys(("xMin", "xMax", "yMin", "yMax", "zMin", "zMax"),
+                         "cyclic")
+WALLS = dict.fromkeys(PERIODIC, "wall")
+OPEN = dict.fromkeys(PERIODIC, "patch")
+
+
+# --- closed periodic box of argon: collision rate, conservation
+write_gas("argon", PERIODIC, (16, 16, 16), weight=2.5e12, T=300.,
+          control={"deltaT": 8e-6, "endTime": 8e-6*260, "writeInterval": 130},
+          more="reportEvery 20;")
+log = solve("argon")
+n = int(re.search(r"= (\d+) now", log).group(1))
+energy, momentum = energies(log), momenta(log)
+mass = n*2.5e12*ARGON["mass"]
+T = (energy[-1] - 0.5*np.dot(momentum[-1], momentum[-1])/mass)/(
+    1.5*K*2.5e12*(n - 1))
+nu = (4*ARGON["diameter"]**2*n*2.5e12/1e-3*np.sqrt(np.pi*K*273/ARGON["mass"])
+      * (T/273)**(1 - ARGON["omega"]))
+found = np.mean(reported(log, r"collisions per step: ([-+0-9.eE]+)")[2:])
+ratio = found/(0.5*n*nu*8e-6)
+verdict("argon_collisionRate", abs(ratio - 1) < 0.005,
+        f"{ratio:.4f} of kinetic theory, n = {n}")
+drift = np.ptp(energy)/energy[0]
+verdict("argon_energy", drift < 1e-11, f"relative drift {drift:.1e}")
+drift = np.ptp(momentum, axis=0).max()/np.sqrt(2*mass*energy[0])
+verdict("argon_momentum", drift < 1e-11, f"relative drift {drift:.1e}")
+
+# --- continued from half-way: the same bits; on two ranks: the same gas
+half, end = times_of("argon")[1:]
+copy_case("argon", "again")
+os.rename(f"again/{end}", "again/straight")
+solve("again")
+different = [f for f in ("lagrangian/dsmc/positions", "lagrangian/dsmc/U",
+                         "lagrangian/dsmc/coordinates", "dsmcSigmaTcRMax")
+             if open(f"again/{end}/{f}", "rb").read()
+             != open(f"again/straight/{f}", "rb").read()]
+verdict("argon_restart", not different, f"differ: {different}")
+
+copy_case("argon", "ranks")
+for time in (half, end):
+    os.rename(f"ranks/{time}", f"ranks/serial.{time}")
+decompose("ranks")
+two = solve("ranks", 2)
+start, kept = energies(two), int(re.search(r"= (\d+) now", two).group(1))
+verdict("argon_twoRanks", kept == n
+        and np.ptp(start)/start[0] < 1e-11
+        and abs(start[0]/energy[0] - 1) < 1e-12
+        and abs(collisions(two)/collisions(log) - 1)
+        < 6/np.sqrt(collisions(log)),
+        f"{kept} of {n} molecules, collisions"
+        f" {collisions(two)/collisions(log):.4f} of those on one rank")
+
+# --- rotation against translation, periodic: the energy passes over
+write_gas("nitrogen", PERIODIC, (8, 8, 8), weight=2.5e13, T=500.,
+          gas={"N2": NITROGEN},
+          collisions="LarsenBorgnakkeVariableHardSphere",
+          control={"deltaT": 1e-5, "endTime": 1e-5*400},
+          more="sampling { start 2e-3; }")
+log = solve("nitrogen")
+end = times_of("nitrogen")[-1]
+Tt, Ti = (np.mean(read_field(f"nitrogen/{end}/{f}"))
+          for f in ("translationalT", "internalT"))
+rho = read_field(f"nitrogen/{end}/rhoNMean")
+# Rotation and translation of 4000 molecules fluctuate by 1.5 % against
+# each other, less over the mean
+verdict("nitrogen_equilibrium", abs(Tt/Ti - 1) < 0.04
+        and np.ptp(energies(log))/energies(log)[0] < 1e-11,
+        f"T {Tt:.1f} K, rotation {Ti:.1f} K")
+verdict("nitrogen_density", abs(np.mean(rho)*1e-3
+        / (2.5e13*int(re.search(r"= (\d+) now", log).group(1))) - 1) < 1e-9,
+        "mean density against the number of molecules")
+
+# --- between diffuse walls at the temperature of the gas, half specular
+write_gas("walls", WALLS, (8, 8, 8), weight=5e12, T=400.,
+          gas={"N2": NITROGEN}, wall="MixedDiffuseSpecular",
+          collisions="LarsenBorgnakkeVariableHardSphere",
+          control={"deltaT": 2e-5, "endTime": 2e-5*800,
+                   "writeInterval": 400},
+          more="MixedDiffuseSpecularCoeffs { diffuseFraction 0.5; }\n"
+          "wallDiffuseFractions { zMax 1; }\nsampling { start 1e-3; }")
+log = solve("walls")
+half, end = times_of("walls")[1:]
+n = int(re.search(r"= (\d+) now", log).group(1))
+pressure = n*5e12/1e-3*K*400
+duration = 2e-5*750
+for patch in ("xMin", "zMax"):
+    p = np.mean(read_wall("walls", end, "p", patch))
+    q = np.mean(read_wall("walls", end, "qMean", patch))
+    hits = n*5e12/1e-3*np.sqrt(8*K*400/np.pi/NITROGEN["mass"])/4*0.01 \
+        * duration/5e12
+    # A hit carries energy 3 kT within sqrt(3) kT, twice, and a momentum
+    # within half of its mean
+    deviation = np.sqrt(6*hits)*K*400*5e12/(0.01*duration)
+    verdict(f"walls_{patch}", abs(p/pressure - 1) < 4/np.sqrt(hits) + 0.01
+            and abs(q) < 5*deviation,
+            f"pressure {p/pressure:.4f} of n k T, heat flux {q:.1e} W/m2,"
+            f" deviation {deviation:.1e} W/m2")
+# Means go on where they were
+copy_case("walls", "wallsAgain")
+os.rename(f"wallsAgain/{end}", "wallsAgain/straight")
+solve("wallsAgain")
+worst = max(
+    np.max(np.abs(read_field(f"wallsAgain/{end}/{f}")
+                  / read_field(f"wallsAgain/straight/{f}") - 1))
+    for f in ("rhoNMean", "overallT"))
+same = abs(np.mean(read_wall("wallsAgain", end, "p", "zMax"))/p - 1)
+verdict("walls_restartedMeans", max(worst, same) < 1e-10,
+        f"relative difference {max(worst, same):.1e}")
+
+# --- a stream into an empty box and out of it
+write_gas("stream", OPEN, (8, 8, 8), weight=4e12, T=300., U=(500, 200, 0),
+          collisions="none", inflow="FreeStream",
+          more="FreeStreamCoeffs { numberDensities { Ar 1e20; } }\n"
+          "sampling { start 2e-3; }", initialise=False,
+          control={"deltaT": 1e-5, "endTime": 1e-5*1200})
+log = solve("stream")
+end = times_of("stream")[-1]
+rho, T = (read_field(f"stream/{end}/{f}") for f in ("rhoNMean", "overallT"))
+U = np.mean(read_field(f"stream/{end}/UMean"), axis=0)
+# 25000 molecules, renewed every 1e-4 s
+verdict("stream_state", abs(np.mean(rho)/1e20 - 1) < 0.005
+        and abs(np.mean(T)/300 - 1) < 0.01
+        and np.all(np.abs(U - [500, 200, 0]) < 3),
+        f"density {np.mean(rho)/1e20:.4f}, temperature {np.mean(T)/300:.4f},"
+        f" velocity {np.round(U, 1)}")
+ends = rho.reshape(8, 8, 8)[:, :, (0, -1)].mean(axis=(0, 1))/1e20
+verdict("stream_uniform", np.all(np.abs(ends - 1) < 0.01),
+        f"density next to the entrance and the exit {np.round(ends, 4)}")
+
+# --- effusion through an open side: exponential decay of a mixed gas
+side = dict(WALLS, xMax="patch")
+write_gas("effusion", side, (1, 1, 1), (0.4, 0.1, 0.1), weight=1e12,
+          density=2.5e19, T=300., collisions="none",
+          control={"deltaT": 4e-6, "endTime": 4e-6*4})
+log = solve("effusion")
+n0, n = (int(re.search(p, log).group(1))
+         for p in (r"Molecules: (\d+)", r"= (\d+) now"))
+# Before a depletion wave can matter: flux n c/4 from a gas at rest
+rate = np.sqrt(8*K*300/np.pi/ARGON["mass"])/4*0.01/4e-3*1.6e-5
+verdict("effusion_flux", abs((n0 - n)/(n0*rate) - 1)
+        < 4.5/np.sqrt(n0*rate),
+        f"{(n0 - n)/(n0*rate):.3f} of n c/4, {n0 - n} left")
+
+# --- function objects of the stock tutorials; another name for every field
+write_gas("functions", PERIODIC, (4, 4, 4), weight=4e13,
+          control={"deltaT": 1e-5, "endTime": 2e-4})
+names = "rhoN rhoM dsmcRhoN momentum linearKE internalE iDof q fD".split()
+with open("functions/system/controlDict", "a") as file:
+    file.write("functions\n{\n average { type fieldAverage;"
+               " libs (fieldFunctionObjects); writeControl writeTime;"
+               " fields (\n" + "\n".join(
+                   f"{x} {{ mean on; prime2Mean off; base time; }}"
+                   for x in names)
+               + "); }\n gas { type dsmcFields; writeControl writeTime;"
+               " libs (lagrangianFunctionObjects); }\n}\n")
+log = solve("functions")
+end = times_of("functions")[-1]
+T = read_field(f"functions/{end}/overallT")
+n = int(re.search(r"= (\d+) now", log).group(1))
+expected = (energies(log)[0] - 0.5*np.dot(momenta(log)[0], momenta(log)[0])
+            / (n*4e13*ARGON["mass"]))/(1.5*K*4e13*n)
+# Cells of 40 molecules move by themselves, which dsmcFields takes off
+verdict("functions_fields", abs(np.mean(T)/expected - 1) < 0.05
+        and os.path.exists(f"functions/{end}/rhoNMean"),
+        f"mean of overallT {np.mean(T):.1f} K, gas {expected:.1f} K")
