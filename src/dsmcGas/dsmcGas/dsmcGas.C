@@ -467,23 +467,6 @@ void Foam::dsmcGas::readMolecules()
                 << ", the number of species" << exit(FatalError);
         }
     }
-
-    if (!sigmaTcRMax_.typeHeaderOk<volScalarField>(true))
-    {
-        // Any start will do: the scheme finds the maximum
-        scalar start = 0;
-        for (const auto& s : species_)
-        {
-            start = max
-            (
-                start,
-                constant::mathematical::pi*sqr(s.diameter)
-               *impact::maxwellian::mostProbableSpeed(300, s.mass)
-            );
-        }
-        sigmaTcRMax_.primitiveFieldRef() = start;
-        sigmaTcRMax_.correctBoundaryConditions();
-    }
 }
 
 
@@ -545,10 +528,76 @@ void Foam::dsmcGas::readSampling()
 }
 
 
+void Foam::dsmcGas::findMaxima()
+{
+    if (!collisions_.valid())
+    {
+        return;
+    }
+
+    // dsmcInitialise gives the product at the most probable speed, so that
+    // collisions would be missing until the cells have found the maximum. At
+    // three times the most probable relative speed next to nothing is above.
+    const scalar T = stateOfAll().temperature;
+    scalar start = 0;
+    forAll(names_, p)
+    {
+        forAll(names_, q)
+        {
+            const scalar speed = 3*impact::maxwellian::mostProbableSpeed
+            (
+                T > 0 ? T : 300,
+                species_[p].mass*species_[q].mass
+               /(species_[p].mass + species_[q].mass)
+            );
+            start = max(start, collisions_->sigmaC(p, q, sqr(speed)));
+        }
+    }
+    sigmaTcRMax_.primitiveFieldRef() =
+        max(sigmaTcRMax_.primitiveField(), start);
+    sigmaTcRMax_.correctBoundaryConditions();
+}
+
+
+Foam::dsmcGas::state Foam::dsmcGas::stateOfAll() const
+{
+    state s;
+    s.count.setSize(names_.size(), 0);
+    scalar energy = 0;
+    vector momentum(Zero);
+    for (label i = 0; i < molecules_.size(); ++i)
+    {
+        const label typeId = molecules_.payload().typeId[i];
+        const scalar m = species_[typeId].mass;
+        const impact::vector3 u = molecules_.velocity(i);
+        ++s.count[typeId];
+        s.mass += m;
+        momentum += m*vector(u.x, u.y, u.z);
+        energy += 0.5*m*dot(u, u);
+    }
+    reduce(s.count, sumOp<scalarField>());
+    reduce(momentum, sumOp<vector>());
+    reduce(s.mass, sumOp<scalar>());
+    reduce(energy, sumOp<scalar>());
+    const scalar n = sum(s.count);
+    if (n > 0)
+    {
+        s.velocity = momentum/s.mass;
+        s.temperature =
+            2*max(energy - 0.5*magSqr(momentum)/s.mass, scalar(0))
+           /(3*impact::maxwellian::boltzmann*n);
+    }
+    return s;
+}
+
+
 void Foam::dsmcGas::describe() const
 {
-    const scalar k = impact::maxwellian::boltzmann;
+    const state whole = stateOfAll();
+    const scalar T = whole.temperature;
+    const scalarField& count = whole.count;
     const label n = nStart_;
+    const scalar density = n*weight_/gSum(mesh_.V());
 
     Info<< "Gas" << nl
         << "    species: " << flatOutput(names_) << nl
@@ -560,31 +609,8 @@ void Foam::dsmcGas::describe() const
         return;
     }
 
-    // State of the whole, for the lengths and times that rule the accuracy
-    scalarField count(names_.size(), 0);
-    vector momentum(Zero);
-    scalar energy = 0, mass = 0;
-    for (label i = 0; i < molecules_.size(); ++i)
-    {
-        const label typeId = molecules_.payload().typeId[i];
-        const scalar m = species_[typeId].mass;
-        const impact::vector3 u = molecules_.velocity(i);
-        ++count[typeId];
-        mass += m;
-        momentum += m*vector(u.x, u.y, u.z);
-        energy += 0.5*m*dot(u, u);
-    }
-    reduce(count, sumOp<scalarField>());
-    reduce(momentum, sumOp<vector>());
-    reduce(mass, sumOp<scalar>());
-    reduce(energy, sumOp<scalar>());
-    const scalar volume = gSum(mesh_.V());
-    const scalar density = n*weight_/volume;
-    const scalar T =
-        2*max(energy - 0.5*magSqr(momentum)/mass, scalar(0))/(3*k*n);
-
     Info<< "    number density: " << density << " 1/m^3, temperature: " << T
-        << " K, mean velocity: " << momentum/mass << " m/s" << nl
+        << " K, mean velocity: " << whole.velocity << " m/s" << nl
         << "    molecules per cell: "
         << scalar(n)/returnReduce(mesh_.nCells(), sumOp<label>()) << nl;
 
@@ -814,6 +840,10 @@ Foam::dsmcGas::dsmcGas(const fvMesh& mesh)
     );
     makeBoxes();
     readMolecules();
+    if (mesh.time().startTimeIndex() == 0)
+    {
+        findMaxima();
+    }
     readSampling();
     describe();
 }

@@ -120,6 +120,32 @@ same = abs(np.mean(read_wall("wallsAgain", end, "p", "zMax"))/p - 1)
 verdict("walls_restartedMeans", max(worst, same) < 1e-10,
         f"relative difference {max(worst, same):.1e}")
 
+# --- heat between plates without collisions: exact
+plates = dict(PERIODIC, yMin="wall", yMax="wall")
+write_gas("plates", plates, (4, 10, 4), weight=2.5e13, T=400.,
+          wallT={"yMin": 300., "yMax": 600.}, gas={"N2": NITROGEN},
+          collisions="none", more="sampling { start 2e-3; }",
+          control={"deltaT": 2e-5, "endTime": 2e-5*1100})
+log = solve("plates")
+end = times_of("plates")[-1]
+n = int(re.search(r"= (\d+) now", log).group(1))*2.5e13/1e-3
+# Half the molecules come from either plate, with n sqrt(T) the same for both;
+# each carries (2 + 1) k T of its plate
+root = np.sqrt([300., 600.])
+flux = n*root[1]/root.sum()*np.sqrt(K*300/(2*np.pi*NITROGEN["mass"]))
+hits = flux*0.01*2e-2/2.5e13
+for patch, sign in (("yMin", 1), ("yMax", -1)):
+    q = sign*np.mean(read_wall("plates", end, "qMean", patch))
+    p = np.mean(read_wall("plates", end, "p", patch))
+    exact = 3*K*300*flux
+    force = n*K*np.sqrt(300.*600.)
+    # Energies of 3 k T scatter by sqrt(3) k T, at 300 and at 600 K
+    error = np.sqrt(3*(300**2 + 600**2)/hits)/900
+    verdict(f"plates_{patch}", abs(q/exact - 1) < 4.5*error
+            and abs(p/force - 1) < 4/np.sqrt(hits) and error < 0.02,
+            f"heat flux {q/exact:.4f} (error {error:.4f}), pressure"
+            f" {p/force:.4f} of the exact ones")
+
 # --- a stream into an empty box and out of it
 write_gas("stream", OPEN, (8, 8, 8), weight=4e12, T=300., U=(500, 200, 0),
           collisions="none", inflow="FreeStream",

@@ -114,6 +114,24 @@ EDITS = [   # name, change, texts that the message must hold
 
 status, text = run(copy_case("good", "unchanged"), "dsmcParcelFoam")
 verdict("good_runs", status == 0, complaint(text))
+
+# The annotated dictionary of our own entries, in place of those above
+case = copy_case("good", "annotated")
+with open(f"{os.environ['PARCEL_IMPACT_DIR']}/etc/caseDicts/annotated/"
+          "dsmcProperties") as file:
+    ours = file.read()
+with open(f"{case}/{GAS}") as file:
+    stock = re.sub(r"(?m)^(FreeStreamCoeffs|wallDiffuse|sampling|randomSeed|"
+                   r"reportEvery|InflowBoundaryModel).*$", "", file.read())
+with open(f"{case}/{GAS}", "w") as file:
+    file.write(stock + ours)
+status, text = run(case, "dsmcParcelFoam")
+verdict("annotated_isRead", status != 0 and '"z.*" matches no wall'
+        in " ".join(text.split()), complaint(text))
+edit(case, GAS, '"z.*"', '"y.*"')
+status, text = run(case, "dsmcParcelFoam")
+verdict("annotated_runs", status == 0, complaint(text))
+
 for name, change, texts in EDITS:
     case = copy_case("good", "bad_" + name)
     change(case)
