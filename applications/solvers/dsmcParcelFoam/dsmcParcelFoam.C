@@ -26,13 +26,16 @@ int main(int argc, char* argv[])
     #include "createTime.H"
     #include "createMesh.H"
 
-    dsmcGas gas(mesh);
+    const convexCells cells(mesh);
+    dsmcGas gas(mesh, cells);
 
     Info<< "Starting time loop" << nl << endl;
 
     while (runTime.loop())
     {
-        gas.evolve();
+        gas.move();
+        gas.collide();
+        gas.record();
 
         if (completeWrite::write(runTime))
         {

@@ -672,51 +672,6 @@ bool Foam::dsmcGas::samplingNow() const
 }
 
 
-void Foam::dsmcGas::collide()
-{
-    if (!collisions_.valid())
-    {
-        return;
-    }
-
-    const scalar deltaT = mesh_.time().deltaTValue();
-    const std::uint64_t key = stream(forCollisions);
-    const std::uint32_t step = mesh_.time().timeIndex();
-    const scalarField& V = mesh_.V();
-    scalarField& sigmaCMax = sigmaTcRMax_.primitiveFieldRef();
-
-    impact::cellCollisions::counts counts;
-    for (label celli = 0; celli < mesh_.nCells(); ++celli)
-    {
-        const label first = molecules_.begin(celli);
-        const impact::cellCollisions::molecules gas =
-        {
-            molecules_.begin(celli + 1) - first,
-            molecules_.x() + first,
-            molecules_.y() + first,
-            molecules_.z() + first,
-            molecules_.u() + first,
-            molecules_.v() + first,
-            molecules_.w() + first,
-            molecules_.payload().Ei.data() + first,
-            molecules_.payload().typeId.data() + first
-        };
-        collisions_->collide
-        (
-            gas,
-            boxes_[celli],
-            weight_*deltaT/V[celli],
-            sigmaCMax[celli],
-            key + celli,
-            step,
-            counts
-        );
-    }
-    recent_.candidates += counts.candidates;
-    recent_.collisions += counts.collisions;
-}
-
-
 void Foam::dsmcGas::report()
 {
     events e = recent_;
@@ -770,7 +725,7 @@ void Foam::dsmcGas::report()
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::dsmcGas::dsmcGas(const fvMesh& mesh)
+Foam::dsmcGas::dsmcGas(const fvMesh& mesh, const convexCells& cells)
 :
     regIOobject
     (
@@ -797,7 +752,7 @@ Foam::dsmcGas::dsmcGas(const fvMesh& mesh)
     ),
     weight_(0),
     seed_(0),
-    cells_(mesh),
+    cells_(cells),
     molecules_(cells_),
     sigmaTcRMax_
     (
@@ -851,7 +806,7 @@ Foam::dsmcGas::dsmcGas(const fvMesh& mesh)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::dsmcGas::evolve()
+void Foam::dsmcGas::move()
 {
     const scalar deltaT = mesh_.time().deltaTValue();
     clock_t since = std::clock();
@@ -867,26 +822,75 @@ void Foam::dsmcGas::evolve()
     );
     recent_.moleculeSteps += molecules_.size();
 
-    const bool sampling = samplingNow();
     if (instantaneous_.valid())
     {
         instantaneous_->reset();
     }
-    boundaries boundary(*this, sampling);
+    boundaries boundary(*this, samplingNow());
     molecules_.move(deltaT, boundary);
     recent_.hits += boundary.hits;
     recent_.left += boundary.left;
     moveTime_ += lap(since);
+}
 
-    collide();
+
+void Foam::dsmcGas::collide()
+{
+    if (!collisions_.valid())
+    {
+        return;
+    }
+
+    clock_t since = std::clock();
+    const scalar deltaT = mesh_.time().deltaTValue();
+    const std::uint64_t key = stream(forCollisions);
+    const std::uint32_t step = mesh_.time().timeIndex();
+    const scalarField& V = mesh_.V();
+    scalarField& sigmaCMax = sigmaTcRMax_.primitiveFieldRef();
+
+    impact::cellCollisions::counts counts;
+    for (label celli = 0; celli < mesh_.nCells(); ++celli)
+    {
+        const label first = molecules_.begin(celli);
+        const impact::cellCollisions::molecules gas =
+        {
+            molecules_.begin(celli + 1) - first,
+            molecules_.x() + first,
+            molecules_.y() + first,
+            molecules_.z() + first,
+            molecules_.u() + first,
+            molecules_.v() + first,
+            molecules_.w() + first,
+            molecules_.payload().Ei.data() + first,
+            molecules_.payload().typeId.data() + first
+        };
+        collisions_->collide
+        (
+            gas,
+            boxes_[celli],
+            weight_*deltaT/V[celli],
+            sigmaCMax[celli],
+            key + celli,
+            step,
+            counts
+        );
+    }
+    recent_.candidates += counts.candidates;
+    recent_.collisions += counts.collisions;
     collideTime_ += lap(since);
+}
 
+
+void Foam::dsmcGas::record()
+{
+    clock_t since = std::clock();
+    const scalar deltaT = mesh_.time().deltaTValue();
     if (instantaneous_.valid())
     {
         instantaneous_->addStep(molecules_, deltaT);
         instantaneous_->update();
     }
-    if (sampling)
+    if (samplingNow())
     {
         means_->addStep(molecules_, deltaT);
     }
