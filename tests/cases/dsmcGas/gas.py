@@ -6,8 +6,8 @@ import re
 
 import numpy as np
 
-from caseTools import (copy_case, decompose, edit, read_field, times_of,
-                       verdict)
+from caseTools import (copy_case, decompose, edit, must, read_field,
+                       times_of, verdict)
 from dsmcTools import (ARGON, K, NITROGEN, collisions, energies, momenta,
                        read_molecules, read_wall, reported, solve, write_gas)
 
@@ -204,3 +204,13 @@ expected = (energies(log)[0] - 0.5*np.dot(momenta(log)[0], momenta(log)[0])
 verdict("functions_fields", abs(np.mean(T)/expected - 1) < 0.05
         and os.path.exists(f"functions/{end}/rhoNMean"),
         f"mean of overallT {np.mean(T):.1f} K, gas {expected:.1f} K")
+
+# --- and the stock solver goes on from what was written
+edit("functions", "system/controlDict", "endTime 0.0002;", "endTime 0.00022;")
+stock = must("functions", "dsmcFoam")
+counts = reported(stock, r"Number of dsmc particles\s+= (\d+)")
+kinetic = reported(stock, r"Average linear kinetic energy\s+= (\S+)")
+verdict("functions_stockContinues", len(counts) == 2 and np.all(counts == n)
+        and np.allclose(kinetic*n*4e13, energies(log)[-1], rtol=1e-9),
+        f"{counts} of {n} molecules, energy"
+        f" {kinetic*n*4e13/energies(log)[-1]} of ours")
