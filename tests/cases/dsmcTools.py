@@ -21,8 +21,9 @@ def block(text):
 
 def write_gas(case, types, cells=(10, 10, 10), lengths=(0.1, 0.1, 0.1),
               weight=1e12, density=1e20, T=300., U=(0, 0, 0), wallT=None,
-              gas=None, collisions="VariableHardSphere", wall="MaxwellianThermal",
-              inflow="none", more="", control=None, initialise=True):
+              gas=None, collisions="VariableHardSphere",
+              wall="MaxwellianThermal", inflow="none", more="", control=None,
+              initialise=True):
     """A box of gas. types: side -> patch type; wallT: side -> temperature, T
     where nothing is said."""
     gas = gas or {"Ar": ARGON}

@@ -121,12 +121,10 @@ bool Foam::dsmcGas::boundaries::hitWall
         const vector& U =
             gas_.boundaryU_->boundaryField()[face.patch][face.patchFace];
         const double c = maxwellian::mostProbableSpeed(T, kind.mass);
-        const double s = c*std::sqrt(0.5);
-        const vector3 t{s*rnd.normal(), s*rnd.normal(), s*rnd.normal()};
-        const vector3 wallU{U.x(), U.y(), U.z()};
-
-        after =
-            wallU + t - (c*maxwellian::fluxSpeed(0, rnd) + dot(t, n))*n;
+        after = maxwellian::crossingVelocity
+        (
+            -n, {U.x(), U.y(), U.z()}, c, 0, rnd
+        );
         Ei = maxwellian::boltzmann*T
             *maxwellian::internalEnergy(kind.internalDegreesOfFreedom, rnd);
     }
@@ -535,24 +533,9 @@ void Foam::dsmcGas::findMaxima()
         return;
     }
 
-    // dsmcInitialise gives the product at the most probable speed, so that
-    // collisions would be missing until the cells have found the maximum. At
-    // three times the most probable relative speed next to nothing is above.
+    // dsmcInitialise starts at the most probable speed
     const scalar T = stateOfAll().temperature;
-    scalar start = 0;
-    forAll(names_, p)
-    {
-        forAll(names_, q)
-        {
-            const scalar speed = 3*impact::maxwellian::mostProbableSpeed
-            (
-                T > 0 ? T : 300,
-                species_[p].mass*species_[q].mass
-               /(species_[p].mass + species_[q].mass)
-            );
-            start = max(start, collisions_->sigmaC(p, q, sqr(speed)));
-        }
-    }
+    const scalar start = collisions_->startingSigmaCMax(T > 0 ? T : 300);
     sigmaTcRMax_.primitiveFieldRef() =
         max(sigmaTcRMax_.primitiveField(), start);
     sigmaTcRMax_.correctBoundaryConditions();
@@ -621,9 +604,7 @@ void Foam::dsmcGas::describe() const
         forAll(names_, p)
         {
             const scalar share = count[p]/n;
-            speed += share
-                *impact::maxwellian::mostProbableSpeed(T, species_[p].mass)
-                *2/sqrt(constant::mathematical::pi);
+            speed += share*impact::maxwellian::meanSpeed(T, species_[p].mass);
             forAll(names_, q)
             {
                 rate += share*count[q]/n*density

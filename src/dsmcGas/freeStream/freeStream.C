@@ -211,13 +211,10 @@ Foam::label Foam::freeStream::enter
         {
             const vector3 x = pointOn(s.boundaryFace, rnd);
 
-            // Normal and tangential: any thermal vector without its normal
-            // component will do for the latter
-            const double sigma = s.speed*std::sqrt(0.5);
-            const vector3 t
-                {sigma*rnd.normal(), sigma*rnd.normal(), sigma*rnd.normal()};
-            const double un = s.speed*maxwellian::fluxSpeed(s.speedRatio, rnd);
-            const vector3 u = s.slip + t + (un - dot(t, s.inward))*s.inward;
+            const vector3 u = maxwellian::crossingVelocity
+            (
+                s.inward, s.slip, s.speed, s.speedRatio, rnd
+            );
 
             const label at = molecules.append
             (

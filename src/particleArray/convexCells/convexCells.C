@@ -35,7 +35,12 @@ namespace
         label target;
     };
 
-    facePlane planeThrough(const vector& n, const vector& at, const label target)
+    facePlane planeThrough
+    (
+        const vector& n,
+        const vector& at,
+        const label target
+    )
     {
         return facePlane{n, n & at, target};
     }

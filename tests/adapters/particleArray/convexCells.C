@@ -241,8 +241,7 @@ TEST_F(convexCellsTest, warpedCellsAreSplitIntoTetrahedra)
         }
     }
 
-    // Whole cells beside split ones see one plane where those see two: of
-    // the 24 outer faces of the eight cells, 48 triangles
+    // Also where a whole cell meets a split one
     EXPECT_EQ(nMismatched(cells), 0);
 }
 

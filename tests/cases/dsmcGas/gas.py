@@ -1,6 +1,7 @@
 """The gas against kinetic theory, restarts, ranks and the function objects of
 the stock solver. Every tolerance is at least four standard deviations."""
 
+import math
 import os
 import re
 
@@ -167,6 +168,39 @@ verdict("stream_state", abs(np.mean(rho)/1e20 - 1) < 0.005
 ends = rho.reshape(8, 8, 8)[:, :, (0, -1)].mean(axis=(0, 1))/1e20
 verdict("stream_uniform", np.all(np.abs(ends - 1) < 0.01),
         f"density next to the entrance and the exit {np.round(ends, 4)}")
+
+# --- plate in a free-molecular stream (Schaaf and Chambre), whatever it sends
+#     back leaving through the open sides
+wind = np.array([400., 0., -800.])
+write_gas("plate", dict(OPEN, zMin="wall"), (6, 6, 6), weight=8e12, T=300.,
+          U=tuple(wind), wallT={"zMin": 500.}, collisions="none",
+          inflow="FreeStream",
+          more="FreeStreamCoeffs { numberDensities { Ar 1e20; } }\n"
+          "sampling { start 0; }",
+          control={"deltaT": 1e-5, "endTime": 1e-5*600})
+log = solve("plate")
+end = times_of("plate")[-1]
+m = ARGON["mass"]
+c = np.sqrt(2*K*300/m)
+s = 800/c
+S2 = np.dot(wind, wind)/c**2
+gauss, both = np.exp(-s*s), 1 + math.erf(s)
+flux = 1e20*c/(2*np.sqrt(np.pi))*(gauss + np.sqrt(np.pi)*s*both)
+exact = {
+    "pressure": 1e20*K*300*(2*s*gauss/np.sqrt(np.pi) + (1 + 2*s*s)*both)/2
+    + flux*np.sqrt(np.pi*m*K*500/2),
+    "shear": flux*m*400,
+    "heat": 1e20*K*300*np.sqrt(K*300/(2*np.pi*m))
+    * ((S2 + 2)*gauss + np.sqrt(np.pi)*s*(S2 + 2.5)*both) - flux*2*K*500}
+force = np.mean(read_wall("plate", end, "fDMean", "zMin"), axis=0)
+found = {"pressure": -force[2], "shear": force[0],
+         "heat": np.mean(read_wall("plate", end, "qMean", "zMin"))}
+error = 1/np.sqrt(flux*0.01*6e-3/8e12)
+ratios = {name: found[name]/exact[name] for name in exact}
+verdict("plate_fluxes", error < 0.005 and all(
+        abs(r - 1) < 4.5*error for r in ratios.values()),
+        ", ".join(f"{name} {r:.4f}" for name, r in ratios.items())
+        + f" of the exact ones, error {error:.4f}")
 
 # --- effusion through an open side: exponential decay of a mixed gas
 side = dict(WALLS, xMax="patch")

@@ -155,6 +155,31 @@ TEST(cellCollisions, meanCrossSectionIsThatOfKineticTheory)
 }
 
 
+TEST(cellCollisions, startsAboveNextToAllPairs)
+{
+    cell gas({argon, helium}, {500, 500}, 400, 0);
+    const cellCollisions c(gas.species, 273, 0, 1);
+    const double start = c.startingSigmaCMax(400);
+    int above = 0, below = 0;
+    for (int i = 0; i < gas.size(); ++i)
+    {
+        for (int j = 0; j < i; ++j)
+        {
+            const double c2 = std::pow(gas.u[i] - gas.u[j], 2)
+                + std::pow(gas.v[i] - gas.v[j], 2)
+                + std::pow(gas.w[i] - gas.w[j], 2);
+            const double sc = c.sigmaC(gas.typeId[i], gas.typeId[j], c2);
+            above += sc > start;
+            below += sc < 0.4*start;
+        }
+    }
+
+    // Nor so far above that most candidates are in vain
+    EXPECT_LT(above, 1e-3*gas.size()*gas.size()/2);
+    EXPECT_LT(below, 0.5*gas.size()*gas.size()/2);
+}
+
+
 TEST(cellCollisions, rateOfAMixtureIsThatOfKineticTheory)
 {
     cell gas({argon, helium}, {600, 400}, 500, 0);

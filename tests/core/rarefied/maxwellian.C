@@ -34,7 +34,11 @@ namespace
         double value, error;
     };
 
-    sampleMean mean(const std::function<double(counterRandom&)>& draw, int power)
+    sampleMean mean
+    (
+        const std::function<double(counterRandom&)>& draw,
+        int power
+    )
     {
         const int n = 400000;
         counterRandom rnd(17, power);
@@ -92,6 +96,37 @@ TEST(maxwellian, speedsThroughASurfaceHaveTheirMoments)
             EXPECT_NEAR(m.value, exact, 4.5*m.error) << s << ' ' << power;
         }
     }
+}
+
+
+TEST(maxwellian, velocitiesThroughATurnedSurface)
+{
+    const vector3 n{0.6, 0, -0.8};
+    const vector3 along{400, 50, 300};
+    const double c = 420;
+    const auto component = [&](const vector3& d)
+    {
+        return [&, d](counterRandom& r)
+        {
+            return dot(maxwellian::crossingVelocity(n, along, c, 0, r), d);
+        };
+    };
+    const sampleMean through = mean(component(n), 1);
+    EXPECT_NEAR(through.value, c*std::sqrt(M_PI)/2, 4.5*through.error);
+    for (const vector3& d : {vector3{0.8, 0, 0.6}, vector3{0, 1, 0}})
+    {
+        const double mean1 = dot(along, d);
+        const sampleMean first = mean(component(d), 1);
+        const sampleMean second = mean(component(d), 2);
+        EXPECT_NEAR(first.value, mean1, 4.5*first.error);
+        EXPECT_NEAR(second.value, c*c/2 + mean1*mean1, 4.5*second.error);
+    }
+    EXPECT_NEAR
+    (
+        maxwellian::meanSpeed(300, 5e-26),
+        2/std::sqrt(M_PI)*maxwellian::mostProbableSpeed(300, 5e-26),
+        1e-10
+    );
 }
 
 

@@ -250,6 +250,23 @@ double impact::cellCollisions::equilibriumSigmaC
 }
 
 
+double impact::cellCollisions::startingSigmaCMax(double temperature) const
+{
+    double greatest = 0;
+    for (std::size_t p = 0; p < species_.size(); ++p)
+    {
+        for (std::size_t q = 0; q < species_.size(); ++q)
+        {
+            const double c2 =
+                9*2*maxwellian::boltzmann*temperature
+               /pairOf(p, q).reducedMass;
+            greatest = std::fmax(greatest, sigmaC(p, q, c2));
+        }
+    }
+    return greatest;
+}
+
+
 void impact::cellCollisions::collide
 (
     const molecules& gas,

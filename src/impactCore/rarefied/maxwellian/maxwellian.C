@@ -18,6 +18,12 @@ double impact::maxwellian::mostProbableSpeed(double temperature, double mass)
 }
 
 
+double impact::maxwellian::meanSpeed(double temperature, double mass)
+{
+    return std::sqrt(8*boltzmann*temperature/(M_PI*mass));
+}
+
+
 double impact::maxwellian::fluxFactor(double s)
 {
     // erfc keeps the small flux against a fast stream accurate
@@ -77,6 +83,27 @@ double impact::maxwellian::fluxSpeed(double s, counterRandom& rnd)
             }
         }
     }
+}
+
+
+impact::vector3 impact::maxwellian::crossingVelocity
+(
+    const vector3& direction,
+    const vector3& along,
+    double c,
+    double s,
+    counterRandom& rnd
+)
+{
+    // Any thermal vector without its normal component will do for the
+    // components along the surface
+    const double sigma = c*std::sqrt(0.5);
+    const double tx = sigma*rnd.normal();
+    const double ty = sigma*rnd.normal();
+    const double tz = sigma*rnd.normal();
+    const vector3 t{tx, ty, tz};
+    const double through = c*fluxSpeed(s, rnd);
+    return along + t + (through - dot(t, direction))*direction;
 }
 
 
