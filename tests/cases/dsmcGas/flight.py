@@ -1,13 +1,15 @@
 """Molecules that do not collide, against their exact positions: through a
-regular mesh, one with warped and concave cells, and one shared by two ranks;
-cyclic in x, between specular walls in y and symmetry planes in z."""
+regular mesh, one with warped and concave cells, one shared by two ranks, and a
+flat one; cyclic in x, between specular walls in y and symmetry planes (or
+empty patches) in z. Then through a sector with turned cyclic planes."""
 
 import os
 import re
 
 import numpy as np
 
-from caseTools import decompose, edit, must, times_of, verdict
+from caseTools import (decompose, edit, must, times_of, verdict,
+                       write_block)
 from dsmcTools import NITROGEN, read_molecules, solve, write_gas
 
 TYPES = {"xMin": "cyclic", "xMax": "cyclic", "yMin": "wall", "yMax": "wall",
@@ -36,12 +38,14 @@ def warp(case):
             "(%.17g %.17g %.17g)" % tuple(p) for p in points) + text[tail:])
 
 
-def exact(x, u, t):
+def exact(x, u, t, flat):
     """Positions and velocities at a time."""
     end = x + u*t
     v = u.copy()
     end[:, 0] %= LENGTHS[0]
-    for d in (1, 2):
+    if flat:
+        end[:, 2] = x[:, 2]
+    for d in (1,) if flat else (1, 2):
         phase = end[:, d] % (2*LENGTHS[d])
         back = phase > LENGTHS[d]
         end[:, d] = np.where(back, 2*LENGTHS[d] - phase, phase)
@@ -56,9 +60,12 @@ def ordered(case, time):
     return x[order], cell[order], fields["U"][order], fields["Ei"][order]
 
 
-for name, warped, ranks in (("regular", False, 1), ("warped", True, 1),
-                            ("twoRanks", True, 2)):
-    write_gas(name, TYPES, CELLS, LENGTHS, weight=6e12, density=5e19,
+for name, warped, ranks, flat in (
+        ("regular", False, 1, False), ("warped", True, 1, False),
+        ("twoRanks", True, 2, False), ("flat", False, 1, True)):
+    cells = CELLS[:2] + (1,) if flat else CELLS
+    types = dict(TYPES, zMin="empty", zMax="empty") if flat else TYPES
+    write_gas(name, types, cells, LENGTHS, weight=6e12, density=5e19,
               gas={"N2": NITROGEN}, collisions="none",
               wall="SpecularReflection", initialise=False,
               control={"deltaT": DT, "endTime": STEPS*DT,
@@ -82,7 +89,7 @@ for name, warped, ranks in (("regular", False, 1), ("warped", True, 1),
                    and " 0 lost" in log,
                    f"{len(e0)} before, {len(e1)} after"):
         continue
-    there, turned = exact(x0, u0, STEPS*DT)
+    there, turned = exact(x0, u0, STEPS*DT, flat)
     error = np.abs(x1 - there)
     error[:, 0] = np.minimum(error[:, 0], LENGTHS[0] - error[:, 0])
     verdict(f"{name}_positions", error.max() < 1e-12,
@@ -92,8 +99,8 @@ for name, warped, ranks in (("regular", False, 1), ("warped", True, 1),
     verdict(f"{name}_velocities", np.abs(u1 - turned).max() < 1e-9,
             f"largest error {np.abs(u1 - turned).max():.1e} m/s")
     if not warped:
-        i = np.minimum((x1/0.01).astype(int), np.array(CELLS) - 1)
-        where = i[:, 0] + CELLS[0]*(i[:, 1] + CELLS[1]*i[:, 2])
+        i = np.minimum((x1/0.01).astype(int), np.array(cells) - 1)
+        where = i[:, 0] + cells[0]*(i[:, 1] + cells[1]*i[:, 2])
         # Round-off may put one on a face into either cell
         wrong = np.count_nonzero(where != cell)
         verdict(f"{name}_cells", wrong == 0, f"{wrong} in a wrong cell")
@@ -101,3 +108,40 @@ for name, warped, ranks in (("regular", False, 1), ("warped", True, 1),
         verdict(f"{name}_splitsAndSays",
                 split is not None and 100 < int(split.group(1)) < 480,
                 f"split: {split.group(1) if split else 'nothing'}")
+
+# --- a sector of 90 degrees: the distance from the axis, the radial and the
+#     axial velocity and the spin about the axis are those of the straight flight
+types = {"xMin": "patch", "xMax": "patch", "yMin": "cyclic", "yMax": "cyclic",
+         "zMin": "cyclic", "zMax": "cyclic"}
+write_gas("sector", types, (8, 8, 4), LENGTHS, weight=6e11, density=5e19,
+          gas={"N2": NITROGEN}, collisions="none", initialise=False,
+          control={"deltaT": 1e-5, "endTime": 8e-5})
+write_block("sector", [(x, y, z) for z in (0, 0.06) for x, y in (
+    (0.02, 0), (0.1, 0), (0, 0.1), (0, 0.02))], (8, 8, 4), types)
+turned = (" transform rotational; rotationAxis (0 0 1);"
+          " rotationCentre (0 0 0);")
+for side in ("yMin", "yMax"):
+    edit("sector", "system/blockMeshDict", f"neighbourPatch {side};",
+         f"neighbourPatch {side};{turned}")
+must("sector", "blockMesh")
+must("sector", "dsmcInitialise")
+log = solve("sector")
+x0, _, u0, e0 = ordered("sector", "0")
+x1, _, u1, e1 = ordered("sector", times_of("sector")[-1])
+stayed = np.isin(e0, e1)
+x0, u0 = x0[stayed], u0[stayed]
+there = x0 + 8e-5*u0
+
+
+def invariants(x, u):
+    return np.column_stack([
+        np.hypot(x[:, 0], x[:, 1]),
+        (x[:, 0]*u[:, 0] + x[:, 1]*u[:, 1])*1e-3,
+        (x[:, 0]*u[:, 1] - x[:, 1]*u[:, 0])*1e-3, u[:, 2]*1e-3])
+
+
+error = np.abs(invariants(x1, u1) - invariants(there, u0)).max()
+crossed = np.count_nonzero((there[:, 0] < 0) | (there[:, 1] < 0))
+verdict("sector_turns", error < 1e-12 and crossed > 300 and " 0 lost" in log
+        and np.all(x1[:, :2] > -1e-12),
+        f"largest error {error:.1e}, {crossed} of {len(x1)} were turned")
