@@ -32,6 +32,20 @@ namespace
         return lanes{a, a, a, a};
     }
 
+    //- positivePart, by the bits: a selection might be undone, and a division
+    //  by what was not selected would trap
+    inKernel lanes positive(const lanes a)
+    {
+        const std::int64_t allButSign = 0x7fffffffffffffff;
+        const marks bits =
+        {
+            allButSign, allButSign, allButSign, allButSign
+        };
+        const lanes size =
+            reinterpret_cast<lanes>(reinterpret_cast<marks>(a) & bits);
+        return all(0.5)*(a + size);
+    }
+
     const std::int32_t maxCrossings = 100000;
 }
 
@@ -111,7 +125,8 @@ std::int32_t Foam::walkKernels::cross
     std::int32_t* cell
 )
 {
-    // Speeds below this are parallel to a face; no quotient overflows
+    // Speeds below this are parallel to a face; no quotient overflows, since
+    // no length is above 1e100 m
     const double still = 1e-200;
     const double far = 1e100;
 
@@ -146,8 +161,8 @@ std::int32_t Foam::walkKernels::cross
                     load(p + 3*width)
                   - (nx*all(x[i]) + ny*all(y[i]) + nz*all(z[i]));
                 const marks out = speed > all(still);
-                const lanes time =
-                    out ? depth/(out ? speed : all(1)) : all(far);
+                const lanes quotient = depth/(positive(speed) + all(still));
+                const lanes time = out ? quotient : all(far);
                 const marks earlier = time < least;
                 least = earlier ? time : least;
                 place = earlier ? here : place;
