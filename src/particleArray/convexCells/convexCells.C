@@ -60,8 +60,10 @@ Foam::boolList Foam::convexCells::cellsToSplit() const
     const vectorField& centres = mesh_.faceCentres();
     const vectorField& areas = mesh_.faceAreas();
 
-    boolList split(mesh_.nCells(), false);
-    boolList warped(mesh_.nFaces(), false);
+    boolList split(mesh_.nCells());
+    boolList warped(mesh_.nFaces());
+    split = false;
+    warped = false;
 
     forAll(areas, facei)
     {

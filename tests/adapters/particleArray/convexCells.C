@@ -17,7 +17,7 @@ Description
 
 #include <gtest/gtest.h>
 #include <cstdlib>
-#include <unistd.h>
+#include <filesystem>
 
 using namespace Foam;
 using impact::vector3;
@@ -46,7 +46,12 @@ protected:
     //- 4 x 4 x 4 cells, cyclic in x, a wall at the end of z
     void SetUp() override
     {
-        root_ = "/tmp/convexCells." + Foam::name(label(::getpid()));
+        std::string name
+        (
+            std::filesystem::temp_directory_path()/"parcelImpactXXXXXX"
+        );
+        ASSERT_TRUE(mkdtemp(&name[0]));
+        root_ = name;
         mkDir(root_/"case"/"system");
         mkDir(root_/"case"/"constant");
         writeFile
