@@ -1,0 +1,231 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "freeStream.H"
+#include "maxwellian.H"
+#include "wordRes.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+impact::vector3 Foam::freeStream::pointOn
+(
+    const label boundaryFacei,
+    impact::counterRandom& rnd
+) const
+{
+    const polyMesh& mesh = cells_.mesh();
+    const label facei = mesh.nInternalFaces() + boundaryFacei;
+    const face& f = mesh.faces()[facei];
+    const pointField& p = mesh.points();
+    const label base = max(mesh.tetBasePtIs()[facei], label(0));
+
+    const auto corner = [&](const label i) -> const point&
+    {
+        return p[f[(base + i) % f.size()]];
+    };
+    const auto area = [&](const label i)
+    {
+        return mag((corner(i) - corner(0)) ^ (corner(i + 1) - corner(0)));
+    };
+
+    scalar sum = 0;
+    for (label i = 1; i < f.size() - 1; ++i)
+    {
+        sum += area(i);
+    }
+    scalar rest = sum*rnd.uniform();
+    label i = 1;
+    while (i < f.size() - 2 && rest > area(i))
+    {
+        rest -= area(i++);
+    }
+
+    scalar a = rnd.uniform();
+    scalar b = rnd.uniform();
+    if (a + b > 1)
+    {
+        a = 1 - a;
+        b = 1 - b;
+    }
+    const point x =
+        corner(0) + a*(corner(i) - corner(0)) + b*(corner(i + 1) - corner(0));
+    return {x.x(), x.y(), x.z()};
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::freeStream::freeStream
+(
+    const dictionary& dict,
+    const convexCells& cells,
+    const wordList& names,
+    const std::vector<impact::cellCollisions::species>& species,
+    const scalar weight,
+    const volScalarField* boundaryT,
+    const volVectorField* boundaryU
+)
+:
+    cells_(cells),
+    species_(species)
+{
+    const word model(dict.get<word>("InflowBoundaryModel"));
+    if (model == "none")
+    {
+        return;
+    }
+    if (model != "FreeStream")
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry InflowBoundaryModel is " << model << nl
+            << "Valid models: (FreeStream none)" << exit(FatalIOError);
+    }
+    if (!boundaryT || !boundaryU)
+    {
+        FatalIOErrorInFunction(dict)
+            << "InflowBoundaryModel FreeStream needs the fields boundaryT and"
+            << " boundaryU in " << cells.mesh().time().timePath()
+            << exit(FatalIOError);
+    }
+
+    const dictionary& coeffs = dict.subDict("FreeStreamCoeffs");
+    const dictionary& densities = coeffs.subDict("numberDensities");
+    const bool all = !coeffs.found("patches");
+    const wordRes chosen
+    (
+        all ? wordRes() : wordRes(coeffs.get<wordRes>("patches"))
+    );
+
+    const polyBoundaryMesh& patches = cells.mesh().boundaryMesh();
+    const auto isOpen = [&](const label patchi)
+    {
+        return isType<polyPatch>(patches[patchi]);
+    };
+    for (const wordRe& expression : chosen)
+    {
+        bool found = false;
+        wordList open;
+        forAll(patches, patchi)
+        {
+            if (isOpen(patchi))
+            {
+                open.append(patches[patchi].name());
+                found = found || expression.match(patches[patchi].name());
+            }
+        }
+        if (!found)
+        {
+            FatalIOErrorInFunction(coeffs)
+                << "Entry patches holds " << expression
+                << ", which no open patch matches" << nl
+                << "Valid patches: " << open << exit(FatalIOError);
+        }
+    }
+
+    for (const entry& e : densities)
+    {
+        const label typeId = names.find(e.keyword());
+        if (typeId < 0)
+        {
+            FatalIOErrorInFunction(densities)
+                << "Unknown species " << e.keyword() << nl
+                << "Valid species: " << names << exit(FatalIOError);
+        }
+        const scalar density = densities.get<scalar>(e.keyword());
+        if (density < 0)
+        {
+            FatalIOErrorInFunction(densities)
+                << "Entry " << e.keyword() << " is " << density << nl
+                << "Valid range: density >= 0" << exit(FatalIOError);
+        }
+        if (density == 0)
+        {
+            continue;
+        }
+
+        forAll(patches, patchi)
+        {
+            const polyPatch& patch = patches[patchi];
+            if (!isOpen(patchi) || !(all || chosen.match(patch.name())))
+            {
+                continue;
+            }
+            const scalarField& T = boundaryT->boundaryField()[patchi];
+            const vectorField& U = boundaryU->boundaryField()[patchi];
+            forAll(patch, j)
+            {
+                if (!(T[j] > 0))
+                {
+                    FatalIOErrorInFunction(dict)
+                        << "boundaryT is " << T[j] << " on patch "
+                        << patch.name() << ", through which gas enters" << nl
+                        << "Valid range: T > 0" << exit(FatalIOError);
+                }
+                const scalar area = mag(patch.faceAreas()[j]);
+                const vector n = -patch.faceAreas()[j]/area;
+                const vector slip = U[j] - (U[j] & n)*n;
+                source s;
+                s.boundaryFace =
+                    patch.start() + j - cells.mesh().nInternalFaces();
+                s.typeId = typeId;
+                s.temperature = T[j];
+                s.speed = impact::maxwellian::mostProbableSpeed
+                (
+                    T[j],
+                    species[typeId].mass
+                );
+                s.speedRatio = (U[j] & n)/s.speed;
+                s.flux = area*density/weight*s.speed
+                    *impact::maxwellian::fluxFactor(s.speedRatio);
+                s.inward = {n.x(), n.y(), n.z()};
+                s.slip = {slip.x(), slip.y(), slip.z()};
+                sources_.push_back(s);
+            }
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::label Foam::freeStream::enter
+(
+    moleculeArray& molecules,
+    const scalar deltaT,
+    const std::uint64_t seed,
+    const std::uint64_t stream,
+    const std::uint32_t step
+) const
+{
+    using namespace impact;
+
+    label total = 0;
+    for (std::size_t k = 0; k < sources_.size(); ++k)
+    {
+        const source& s = sources_[k];
+        counterRandom rnd(seed, stream + k, step);
+        const auto& kind = species_[s.typeId];
+        const label n = label(s.flux*deltaT + rnd.uniform());
+        for (label i = 0; i < n; ++i)
+        {
+            const vector3 x = pointOn(s.boundaryFace, rnd);
+
+            const vector3 u = maxwellian::crossingVelocity
+            (
+                s.inward, s.slip, s.speed, s.speedRatio, rnd
+            );
+
+            const label at = molecules.append
+            (
+                cells_.inside(s.boundaryFace, x), x, u, rnd.uniform()
+            );
+            molecules.payload().typeId[at] = s.typeId;
+            molecules.payload().Ei[at] =
+                maxwellian::boltzmann*s.temperature
+               *maxwellian::internalEnergy(kind.internalDegreesOfFreedom, rnd);
+        }
+        total += n;
+    }
+    return total;
+}

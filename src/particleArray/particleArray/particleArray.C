@@ -1,0 +1,376 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "particleArray.H"
+#include "PstreamBuffers.H"
+#include "UIPstream.H"
+#include "UOPstream.H"
+
+#include <cstring>
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+template<class Payload>
+Foam::particleArray<Payload>::particleArray(const convexCells& cells)
+:
+    cells_(cells),
+    start_(cells.size() + 1, 0),
+    outgoing_(Pstream::nProcs()),
+    nLost_(0)
+{}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class Payload>
+template<class Boundary>
+void Foam::particleArray<Payload>::walk
+(
+    const label i,
+    scalar time,
+    Boundary& boundary
+)
+{
+    const vector& moving = cells_.moving();
+    impact::vector3 x = position(i);
+    const auto track = [&]()
+    {
+        return impact::vector3
+            {moving.x()*u_[i], moving.y()*v_[i], moving.z()*w_[i]};
+    };
+    impact::vector3 u = track();
+    label celli = cell_[i];
+    label nHits = 0;
+
+    // Straight flight from x since 'flown'
+    scalar flown = 0;
+    for (label crossing = 0; crossing < maxCrossings; ++crossing)
+    {
+        label place = -1;
+        const scalar exit = cells_.exitTime(celli, x, u, time, place);
+        if (place == -1)
+        {
+            x = x + time*u;
+            x_[i] = x.x;
+            y_[i] = x.y;
+            z_[i] = x.z;
+            cell_[i] = celli;
+            return;
+        }
+        flown = max(flown, exit);
+        const impact::vector3 hit = x + flown*u;
+        const label next = cells_.behind(place, hit);
+        if (next >= 0)
+        {
+            celli = next;
+            continue;
+        }
+
+        const label facei = -1 - next;
+        const convexCells::boundaryFace& face = cells_.boundary()[facei];
+        x = hit;
+        time -= flown;
+        flown = 0;
+        switch (face.kind)
+        {
+            case convexCells::mirror:
+            {
+                const impact::vector3 n = cells_.normal(place);
+                const impact::vector3 all = velocity(i);
+                setVelocity(i, all - 2*dot(all, n)*n);
+                u = track();
+                break;
+            }
+            case convexCells::wall:
+            {
+                x_[i] = x.x;
+                y_[i] = x.y;
+                z_[i] = x.z;
+                cell_[i] = celli;
+                if (!boundary.hitWall(i, facei, cells_.normal(place), nHits++))
+                {
+                    cell_[i] = -1;
+                    return;
+                }
+                u = track();
+                break;
+            }
+            case convexCells::cyclic:
+            {
+                if (face.rotation >= 0)
+                {
+                    const convexCells::rotation& r = cells_.rotationOf(face);
+                    const vector to =
+                        r.to + (r.T & (vector(x.x, x.y, x.z) - r.from));
+                    const vector turned =
+                        r.T & vector(u_[i], v_[i], w_[i]);
+                    x = {to.x(), to.y(), to.z()};
+                    setVelocity(i, {turned.x(), turned.y(), turned.z()});
+                    u = track();
+                }
+                else
+                {
+                    x = x + face.shift;
+                }
+                celli = cells_.inside(face.mate, x);
+                break;
+            }
+            case convexCells::processor:
+            {
+                x = x + face.shift;
+                x_[i] = x.x;
+                y_[i] = x.y;
+                z_[i] = x.z;
+                send(i, facei, time);
+                cell_[i] = -1;
+                return;
+            }
+            case convexCells::open:
+            {
+                boundary.leave(i, facei);
+                cell_[i] = -1;
+                return;
+            }
+        }
+    }
+
+    ++nLost_;
+    cell_[i] = -1;
+}
+
+
+template<class Payload>
+void Foam::particleArray<Payload>::send
+(
+    const label i,
+    const label boundaryFacei,
+    const scalar time
+)
+{
+    const convexCells::boundaryFace& face = cells_.boundary()[boundaryFacei];
+    DynamicList<char>& out = outgoing_[face.processor];
+    const auto put = [&out](const auto& value)
+    {
+        const label at = out.size();
+        out.setSize(at + sizeof(value));
+        std::memcpy(&out[at], &value, sizeof(value));
+    };
+    put(std::int32_t(face.mate));
+    put(time);
+    forEach([&](const char*, const auto& array) { put(array[i]); });
+}
+
+
+template<class Payload>
+template<class Boundary>
+void Foam::particleArray<Payload>::exchange
+(
+    const scalar dt,
+    Boundary& boundary
+)
+{
+    if (!Pstream::parRun())
+    {
+        return;
+    }
+
+    while (true)
+    {
+        bool any = false;
+        for (const auto& out : outgoing_)
+        {
+            any = any || out.size();
+        }
+        if (!returnReduce(any, orOp<bool>()))
+        {
+            return;
+        }
+
+        PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
+        forAll(outgoing_, proci)
+        {
+            if (outgoing_[proci].size())
+            {
+                UOPstream stream(proci, buffers);
+                stream<< static_cast<const List<char>&>(outgoing_[proci]);
+                outgoing_[proci].clear();
+            }
+        }
+        labelList sizes;
+        buffers.finishedSends(sizes);
+
+        const label first = size();
+        std::vector<double> times;
+        forAll(sizes, proci)
+        {
+            if (!sizes[proci])
+            {
+                continue;
+            }
+            UIPstream stream(proci, buffers);
+            const List<char> bytes(stream);
+            const char* p = bytes.cdata();
+            const char* last = p + bytes.size();
+            const auto get = [&p](auto& value)
+            {
+                std::memcpy(&value, p, sizeof(value));
+                p += sizeof(value);
+            };
+            while (p < last)
+            {
+                std::int32_t facei;
+                double time;
+                get(facei);
+                get(time);
+                times.push_back(time);
+                cell_.push_back(facei);
+                forEach([&](const char*, auto& array)
+                {
+                    array.emplace_back();
+                    get(array.back());
+                });
+            }
+        }
+        for (label i = first; i < first + label(times.size()); ++i)
+        {
+            cell_[i] = cells_.inside(cell_[i], position(i));
+            walk(i, times[i - first], boundary);
+        }
+    }
+}
+
+
+template<class Payload>
+void Foam::particleArray<Payload>::sort()
+{
+    const label n = size();
+    const label nCells = cells_.size();
+
+    std::fill(start_.begin(), start_.end(), 0);
+    for (label i = 0; i < n; ++i)
+    {
+        if (cell_[i] >= 0)
+        {
+            ++start_[cell_[i]];
+        }
+    }
+    std::int32_t sum = 0;
+    for (label c = 0; c <= nCells; ++c)
+    {
+        const std::int32_t here = c < nCells ? start_[c] : 0;
+        start_[c] = sum;
+        sum += here;
+    }
+
+    // Removed particles go behind the others and are cut off
+    const std::int32_t nAlive = sum;
+    std::int32_t nDead = 0;
+    place_.resize(n);
+    for (label i = 0; i < n; ++i)
+    {
+        place_[i] = cell_[i] >= 0 ? start_[cell_[i]]++ : nAlive + nDead++;
+    }
+    for (label c = nCells; c > 0; --c)
+    {
+        start_[c] = start_[c - 1];
+    }
+    start_[0] = 0;
+
+    const std::int32_t* place = place_.data();
+    const auto scatter = [&](const char*, auto& array)
+    {
+        auto& other = spare(array);
+        other.resize(n);
+        const auto* from = array.data();
+        auto* to = other.data();
+        for (label i = 0; i < n; ++i)
+        {
+            to[place[i]] = from[i];
+        }
+        array.swap(other);
+        array.resize(nAlive);
+    };
+    forEach(scatter);
+
+    cell_.resize(nAlive);
+    for (label c = 0; c < nCells; ++c)
+    {
+        for (std::int32_t i = start_[c]; i < start_[c + 1]; ++i)
+        {
+            cell_[i] = c;
+        }
+    }
+    fraction_.clear();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+template<class Payload>
+Foam::label Foam::particleArray<Payload>::append
+(
+    const label celli,
+    const impact::vector3& x,
+    const impact::vector3& u,
+    const scalar fraction
+)
+{
+    forEach([](const char*, auto& array) { array.emplace_back(); });
+    cell_.push_back(celli);
+    fraction_.push_back(fraction);
+
+    const label i = size() - 1;
+    x_[i] = x.x;
+    y_[i] = x.y;
+    z_[i] = x.z;
+    setVelocity(i, u);
+    return i;
+}
+
+
+template<class Payload>
+template<class Boundary>
+void Foam::particleArray<Payload>::move(const scalar dt, Boundary& boundary)
+{
+    const vector dts = dt*cells_.moving();
+    const label nSorted = start_.back();
+    const label nAppended = size() - nSorted;
+
+    leavers_.resize(nSorted + 1);
+    stopped_.resize(nSorted + 1);
+    const label nLeavers = walkKernels::fly
+    (
+        cells_.size(),
+        start_.data(),
+        cells_.firstGroup(),
+        cells_.planes(),
+        x(), y(), z(),
+        u(), v(), w(),
+        dts.cdata(),
+        leavers_.data()
+    );
+    const label nStopped = walkKernels::cross
+    (
+        nLeavers,
+        leavers_.data(),
+        stopped_.data(),
+        cells_.firstGroup(),
+        cells_.planes(),
+        cells_.targets(),
+        x(), y(), z(),
+        u(), v(), w(),
+        dts.cdata(),
+        cell_.data()
+    );
+    for (label k = 0; k < nStopped; ++k)
+    {
+        walk(stopped_[k], dt, boundary);
+    }
+    for (label k = 0; k < nAppended; ++k)
+    {
+        walk(nSorted + k, fraction_[k]*dt, boundary);
+    }
+    exchange(dt, boundary);
+    sort();
+}

@@ -1,0 +1,297 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+
+Description
+    The convex cells of a small box mesh, and of the same mesh with one point
+    moved, whose eight cells are to be split: every plane must be that of the
+    cell behind it but for its sign, every point in one cell, every ray must
+    leave where the box ends.
+\*---------------------------------------------------------------------------*/
+
+#include "OFstream.H"
+#include "OSspecific.H"
+#include "Time.H"
+#include "convexCells.H"
+#include "counterRandom.H"
+#include "polyMesh.H"
+
+#include <gtest/gtest.h>
+#include <cstdlib>
+#include <filesystem>
+
+using namespace Foam;
+using impact::vector3;
+
+class convexCellsTest
+:
+    public ::testing::Test
+{
+protected:
+
+    fileName root_;
+    autoPtr<Time> time_;
+    autoPtr<polyMesh> mesh_;
+
+    void writeFile(const char* name, const char* text)
+    {
+        OFstream os(root_/"case"/name);
+        os.writeQuoted
+        (
+            std::string("FoamFile{version 2.0; format ascii; class dictionary;")
+          + " object x;}\n" + text,
+            false
+        );
+    }
+
+    //- 4 x 4 x 4 cells, cyclic in x, a wall at the end of z
+    void SetUp() override
+    {
+        std::string name
+        (
+            std::filesystem::temp_directory_path()/"parcelImpactXXXXXX"
+        );
+        ASSERT_TRUE(mkdtemp(&name[0]));
+        root_ = name;
+        mkDir(root_/"case"/"system");
+        mkDir(root_/"case"/"constant");
+        writeFile
+        (
+            "system/controlDict",
+            "deltaT 1; endTime 1; writeInterval 1; writePrecision 17;"
+        );
+        writeFile
+        (
+            "system/blockMeshDict",
+            "vertices ((0 0 0) (1 0 0) (1 1 0) (0 1 0)"
+            " (0 0 1) (1 0 1) (1 1 1) (0 1 1));"
+            "blocks (hex (0 1 2 3 4 5 6 7) (4 4 4) simpleGrading (1 1 1));"
+            "edges (); boundary ("
+            "a { type cyclic; neighbourPatch b; faces ((0 4 7 3)); }"
+            "b { type cyclic; neighbourPatch a; faces ((1 2 6 5)); }"
+            "c { type wall; faces ((4 5 6 7)); }"
+            "d { type patch; faces ((0 3 2 1)); }"
+            "e { type symmetryPlane; faces ((0 1 5 4)); }"
+            "f { type symmetryPlane; faces ((3 7 6 2)); });"
+        );
+        const std::string command
+        (
+            "blockMesh -case " + root_ + "/case > " + root_ + "/log 2>&1"
+        );
+        ASSERT_EQ(std::system(command.c_str()), 0);
+        time_.reset(new Time(Time::controlDictName, root_, "case"));
+        mesh_.reset
+        (
+            new polyMesh
+            (
+                IOobject
+                (
+                    polyMesh::defaultRegion,
+                    time_->timeName(),
+                    time_(),
+                    IOobject::MUST_READ
+                )
+            )
+        );
+    }
+
+    void TearDown() override
+    {
+        mesh_.clear();
+        time_.clear();
+        rmDir(root_);
+    }
+
+    //- Move the point in the middle: its faces warp
+    void warp()
+    {
+        pointField points(mesh_->points());
+        forAll(points, i)
+        {
+            if (mag(points[i] - point(0.5, 0.5, 0.5)) < 1e-9)
+            {
+                points[i] += vector(0.06, -0.04, 0.05);
+            }
+        }
+        mesh_->movePoints(points);
+        mesh_->resetMotion();
+    }
+
+    //- Planes that are not those of the cell behind them
+    label nMismatched(const convexCells& cells) const
+    {
+        using namespace walkKernels;
+        const auto value = [&](const label place, const label row)
+        {
+            return cells.planes()
+                [stride*(place/width) + row*width + place % width];
+        };
+
+        label n = 0;
+        for (label c = 0; c < cells.size(); ++c)
+        {
+            const label first = width*cells.firstGroup()[c];
+            const label last = width*cells.firstGroup()[c + 1];
+            for (label k = first; k < last; ++k)
+            {
+                const label next = cells.targets()[k];
+                const bool used =
+                    value(k, 0) != 0 || value(k, 1) != 0 || value(k, 2) != 0;
+                if (!used || next < 0)
+                {
+                    continue;
+                }
+                bool found = false;
+                const label end = width*cells.firstGroup()[next + 1];
+                for (label m = width*cells.firstGroup()[next]; m < end; ++m)
+                {
+                    bool same = true;
+                    for (label row = 0; row < 4; ++row)
+                    {
+                        same = same && value(m, row) == -value(k, row);
+                    }
+                    found = found || same;
+                }
+                n += !found;
+            }
+        }
+        return n;
+    }
+
+    //- Of a random sample: points that are in no cell of their mesh cell, and
+    //  rays to the end of z that do not end there
+    void sample(const convexCells& cells, label& nNowhere, label& nAstray)
+    {
+        nNowhere = 0;
+        nAstray = 0;
+        impact::counterRandom rnd(4);
+        for (label i = 0; i < 2000; ++i)
+        {
+            const vector3 x{rnd.uniform(), rnd.uniform(), rnd.uniform()};
+            label c = -1;
+            for (label celli = 0; celli < mesh_->nCells() && c < 0; ++celli)
+            {
+                const label some = cells.locate(celli, x);
+                if (cells.height(some, x) <= 0)
+                {
+                    c = some;
+                }
+            }
+            if (c < 0)
+            {
+                ++nNowhere;
+                continue;
+            }
+
+            // Steeply up, without reaching a side
+            const vector3 u
+            {
+                0.9*(0.5 - x.x), 0.9*(0.5 - x.y), 1
+            };
+            scalar t = 0;
+            label boundary = -1;
+            for (label step = 0; step < 1000 && boundary < 0; ++step)
+            {
+                label place = -1;
+                t = max(t, cells.exitTime(c, x, u, 10, place));
+                if (place < 0)
+                {
+                    break;
+                }
+                const label next = cells.behind(place, x + t*u);
+                boundary = next < 0 ? -1 - next : -1;
+                c = next;
+            }
+            nAstray +=
+                boundary < 0
+             || cells.boundary()[boundary].kind != convexCells::wall
+             || mag(t - (1 - x.z)) > 1e-12;
+        }
+    }
+};
+
+
+TEST_F(convexCellsTest, regularMeshIsItself)
+{
+    const convexCells cells(mesh_());
+    EXPECT_EQ(cells.size(), 64);
+    EXPECT_EQ(cells.nSplit(), 0);
+    EXPECT_EQ(nMismatched(cells), 0);
+    label nNowhere, nAstray;
+    sample(cells, nNowhere, nAstray);
+    EXPECT_EQ(nNowhere, 0);
+    EXPECT_EQ(nAstray, 0);
+}
+
+
+TEST_F(convexCellsTest, warpedCellsAreSplitIntoTetrahedra)
+{
+    warp();
+    const convexCells cells(mesh_());
+    EXPECT_EQ(cells.nSplit(), 8);
+    EXPECT_EQ(cells.size(), 56 + 8*12);
+    label nNowhere, nAstray;
+    sample(cells, nNowhere, nAstray);
+    EXPECT_EQ(nNowhere, 0);
+    EXPECT_EQ(nAstray, 0);
+
+    // Numbered with their mesh cells
+    for (label c = 0; c < mesh_->nCells(); ++c)
+    {
+        const label first = cells.firstCell()[c];
+        const label n = cells.firstCell()[c + 1] - first;
+        EXPECT_TRUE(n == 1 || n == 12);
+        for (label i = 0; i < n; ++i)
+        {
+            EXPECT_EQ(cells.meshCell(first + i), c);
+        }
+    }
+
+    // Also where a whole cell meets a split one
+    EXPECT_EQ(nMismatched(cells), 0);
+}
+
+
+TEST_F(convexCellsTest, cyclicPairsAreJoined)
+{
+    const convexCells cells(mesh_());
+    label n = 0;
+    for (const convexCells::boundaryFace& face : cells.boundary())
+    {
+        if (face.kind != convexCells::cyclic)
+        {
+            continue;
+        }
+        ++n;
+        const convexCells::boundaryFace& other = cells.boundary()[face.mate];
+        EXPECT_EQ(&cells.boundary()[other.mate], &face);
+        EXPECT_EQ(face.rotation, -1);
+        EXPECT_NEAR(mag(face.shift), 1, 1e-15);
+        EXPECT_EQ(face.shift.x, -other.shift.x);
+    }
+    EXPECT_EQ(n, 32);
+}
+
+
+TEST_F(convexCellsTest, concaveMeshWithoutDecompositionIsRefused)
+{
+    // The middle point far outside its cells turns them inside out
+    pointField points(mesh_->points());
+    forAll(points, i)
+    {
+        if (mag(points[i] - point(0.5, 0.5, 0.5)) < 1e-9)
+        {
+            points[i] += vector(0.6, 0.6, 0.6);
+        }
+    }
+    mesh_->movePoints(points);
+    std::string said;
+    try
+    {
+        const convexCells cells(mesh_());
+    }
+    catch (const error& e)
+    {
+        said = e.message();
+    }
+    EXPECT_NE(said.find("no decomposition"), std::string::npos) << said;
+}

@@ -1,0 +1,144 @@
+"""Bad edits: each must be refused before the first time step with a message
+that names the file, the entry, its value and what would be valid."""
+
+import os
+import re
+
+from caseTools import complaint, copy_case, edit, run, verdict
+from dsmcTools import write_gas
+
+TYPES = {"xMin": "patch", "xMax": "patch", "yMin": "wall", "yMax": "wall",
+         "zMin": "symmetryPlane", "zMax": "symmetryPlane"}
+GAS = "constant/dsmcProperties"
+
+write_gas("good", TYPES, (2, 2, 2), weight=1e15, wall="MixedDiffuseSpecular",
+          inflow="FreeStream",
+          collisions="LarsenBorgnakkeVariableHardSphere",
+          more="FreeStreamCoeffs { numberDensities { Ar 1e20; }"
+          " patches (xMin); }\n"
+          "MixedDiffuseSpecularCoeffs { diffuseFraction 0.5; }\n"
+          "wallDiffuseFractions { yMin 0.25; }\n"
+          "sampling { start 0; every 1; }\nrandomSeed 7;\nreportEvery 2;\n",
+          control={"deltaT": 1e-6, "endTime": 1e-6})
+
+
+def set_wall(name, old, new):
+    """Change a field on the walls only."""
+    def change(case):
+        path = os.path.join(case, "0", name)
+        with open(path) as file:
+            text = file.read()
+        text = re.sub(r"(yM\w+ \{[^}]*)" + re.escape(old), r"\g<1>" + new,
+                      text)
+        with open(path, "w") as file:
+            file.write(text)
+    return change
+
+
+def replace(path, old, new):
+    return lambda case: edit(case, path, old, new)
+
+
+def remove(*paths):
+    def change(case):
+        for path in paths:
+            os.remove(os.path.join(case, path))
+    return change
+
+
+EDITS = [   # name, change, texts that the message must hold
+    ("weight", replace(GAS, "Particles 1000000000000000.0", "Particles -1"),
+     ["dsmcProperties", "nEquivalentParticles is -1", "> 0"]),
+    ("species", replace(GAS, "Ar {", "He {"),
+     ["moleculeProperties", "Species Ar of typeIdList", "He"]),
+    ("noSpecies", replace(GAS, "typeIdList (Ar)", "typeIdList ()"),
+     ["dsmcProperties", "typeIdList is empty"]),
+    ("mass", replace(GAS, "mass 6.63e-26", "mass 0"),
+     ["dsmcProperties", "Species Ar: entry mass is 0", "mass > 0"]),
+    ("diameter", replace(GAS, "diameter 4.17e-10", "diameter -1"),
+     ["Species Ar: entry diameter is -1", "diameter > 0"]),
+    ("omega", replace(GAS, "omega 0.81", "omega 2.5"),
+     ["Species Ar: entry omega is 2.5", "omega <= 1.5"]),
+    ("rotation", replace(GAS, "Freedom 0", "Freedom -1"),
+     ["internalDegreesOfFreedom is -1", ">= 0"]),
+    ("Tref", replace(GAS, "{ Tref 273; relax", "{ Tref 0; relax"),
+     ["LarsenBorgnakkeVariableHardSphereCoeffs", "Entry Tref is 0",
+      "Tref > 0"]),
+    ("collisionNumber", replace(GAS, "CollisionNumber 5",
+                                "CollisionNumber 0.2"),
+     ["relaxationCollisionNumber is 0.2", ">= 1"]),
+    ("collisionModel", replace(GAS, "Model LarsenB", "Model B"),
+     ["BinaryCollisionModel is BorgnakkeVariableHardSphere",
+      "VariableHardSphere none"]),
+    ("wallModel", replace(GAS, "Model MixedDiffuseSpecular", "Model Elastic"),
+     ["WallInteractionModel is Elastic", "MaxwellianThermal"]),
+    ("inflowModel", replace(GAS, "Model FreeStream", "Model Jet"),
+     ["InflowBoundaryModel is Jet", "FreeStream none"]),
+    ("accommodation", replace(GAS, "Fraction 0.5", "Fraction 1.5"),
+     ["MixedDiffuseSpecularCoeffs", "diffuseFraction is 1.5",
+      "0 <= fraction <= 1"]),
+    ("wallAccommodation", replace(GAS, "yMin 0.25", "yMin -0.25"),
+     ["wallDiffuseFractions", "yMin is -0.25", "0 <= fraction <= 1"]),
+    ("wallName", replace(GAS, "yMin 0.25", "xMin 0.25"),
+     ["Entry xMin matches no wall", "yMin yMax"]),
+    ("inflowSpecies", replace(GAS, "{ Ar 1e20", "{ Xe 1e20"),
+     ["Unknown species Xe", "Ar"]),
+    ("inflowDensity", replace(GAS, "{ Ar 1e20", "{ Ar -1e20"),
+     ["Entry Ar is -1e+20", "density >= 0"]),
+    ("inflowPatch", replace(GAS, "patches (xMin)", "patches (yMin)"),
+     ["Entry patches holds yMin", "xMin xMax"]),
+    ("unknownEntry", replace(GAS, "randomSeed 7", "rndSeed 7"),
+     ["Unknown entry rndSeed", "randomSeed"]),
+    ("seed", replace(GAS, "randomSeed 7", "randomSeed -7"),
+     ["randomSeed is -7", ">= 0"]),
+    ("report", replace(GAS, "reportEvery 2", "reportEvery 0"),
+     ["reportEvery is 0", ">= 1"]),
+    ("sampling", replace(GAS, "every 1", "each 1"),
+     ["Unknown entry each", "start every"]),
+    ("samplingEvery", replace(GAS, "every 1", "every 0"),
+     ["Entry every is 0", ">= 1"]),
+    ("inflowTemperature", replace(
+        "0/boundaryT", "xMin { type fixedValue; value uniform 300.0",
+        "xMin { type fixedValue; value uniform 0"),
+     ["boundaryT is 0 on patch xMin", "T > 0"]),
+    ("wallTemperature", set_wall("boundaryT", "300.0", "-5"),
+     ["boundaryT", "diffuse wall yMin is -5", "T > 0"]),
+    ("wallVelocity", set_wall("boundaryU", "(0 0 0)", "(1 2 0)"),
+     ["boundaryU", "diffuse wall yMin is (1 2 0)", "along the wall"]),
+    ("noFields", remove("0/boundaryT", "0/boundaryU"),
+     ["boundaryT and boundaryU"]),
+    ("foreignType", replace(GAS, "InflowBoundaryModel FreeStream",
+                            "InflowBoundaryModel 5"),
+     ["InflowBoundaryModel"]),
+]
+
+status, text = run(copy_case("good", "unchanged"), "dsmcParcelFoam")
+verdict("good_runs", status == 0, complaint(text))
+
+# The annotated dictionary of our own entries, in place of those above
+case = copy_case("good", "annotated")
+with open(f"{os.environ['PARCEL_IMPACT_DIR']}/etc/caseDicts/annotated/"
+          "dsmcProperties") as file:
+    ours = file.read()
+with open(f"{case}/{GAS}") as file:
+    stock = re.sub(r"(?m)^(FreeStreamCoeffs|wallDiffuse|sampling|randomSeed|"
+                   r"reportEvery|InflowBoundaryModel).*$", "", file.read())
+with open(f"{case}/{GAS}", "w") as file:
+    file.write(stock + ours)
+status, text = run(case, "dsmcParcelFoam")
+verdict("annotated_isRead", status != 0 and '"z.*" matches no wall'
+        in " ".join(text.split()), complaint(text))
+edit(case, GAS, '"z.*"', '"y.*"')
+status, text = run(case, "dsmcParcelFoam")
+verdict("annotated_runs", status == 0, complaint(text))
+
+for name, change, texts in EDITS:
+    case = copy_case("good", "bad_" + name)
+    change(case)
+    status, text = run(case, "dsmcParcelFoam")
+    flat = " ".join(text.split())
+    missing = [t for t in texts if t not in flat]
+    verdict(f"refuses_{name}", status != 0 and not missing
+            and "Starting time loop" not in text,
+            f"status {status}, message lacks {missing}: {complaint(text)}"
+            if status == 0 or missing else complaint(text)[:100])
