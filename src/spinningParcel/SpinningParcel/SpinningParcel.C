@@ -38,7 +38,8 @@ Foam::SpinningParcel<ParcelType>::SpinningParcel
 )
 :
     ParcelType(p),
-    omega_(p.omega_)
+    omega_(p.omega_),
+    nImpacts_(p.nImpacts_)
 {}
 
 
@@ -50,7 +51,8 @@ Foam::SpinningParcel<ParcelType>::SpinningParcel
 )
 :
     ParcelType(p, mesh),
-    omega_(p.omega_)
+    omega_(p.omega_),
+    nImpacts_(p.nImpacts_)
 {}
 
 

@@ -21,23 +21,26 @@ Foam::SpinningParcel<ParcelType>::SpinningParcel
 )
 :
     ParcelType(mesh, is, readFields, newFormat),
-    omega_(Zero)
+    omega_(Zero),
+    nImpacts_(0)
 {
     if (readFields)
     {
         if (is.format() == IOstream::ASCII)
         {
-            is >> omega_;
+            is >> omega_ >> nImpacts_;
         }
         else if (!is.checkLabelSize<>() || !is.checkScalarSize<>())
         {
             is.beginRawRead();
             readRawScalar(is, omega_.data(), vector::nComponents);
+            readRawLabel(is, &nImpacts_);
             is.endRawRead();
         }
         else
         {
             is.read(reinterpret_cast<char*>(omega_.data()), sizeof(omega_));
+            is.read(reinterpret_cast<char*>(&nImpacts_), sizeof(nImpacts_));
         }
     }
     is.check(FUNCTION_NAME);
@@ -59,10 +62,19 @@ void Foam::SpinningParcel<ParcelType>::readFields(CloudType& c)
     );
     c.checkFieldIOobject(c, omega);
 
+    IOField<label> nImpacts
+    (
+        c.fieldIOobject("nImpacts", IOobject::MUST_READ),
+        valid
+    );
+    c.checkFieldIOobject(c, nImpacts);
+
     label i = 0;
     for (SpinningParcel<ParcelType>& p : c)
     {
-        p.omega_ = omega[i++];
+        p.omega_ = omega[i];
+        p.nImpacts_ = nImpacts[i];
+        i++;
     }
 }
 
@@ -75,12 +87,20 @@ void Foam::SpinningParcel<ParcelType>::writeFields(const CloudType& c)
 
     const label n = c.size();
     IOField<vector> omega(c.fieldIOobject("omega", IOobject::NO_READ), n);
+    IOField<label> nImpacts
+    (
+        c.fieldIOobject("nImpacts", IOobject::NO_READ),
+        n
+    );
     label i = 0;
     for (const SpinningParcel<ParcelType>& p : c)
     {
-        omega[i++] = p.omega_;
+        omega[i] = p.omega_;
+        nImpacts[i] = p.nImpacts_;
+        i++;
     }
     omega.write(n > 0);
+    nImpacts.write(n > 0);
 }
 
 
@@ -95,6 +115,10 @@ void Foam::SpinningParcel<ParcelType>::writeProperties
 {
     ParcelType::writeProperties(os, filters, delim, namesOnly);
     ParcelType::writeProperty(os, "omega", omega_, namesOnly, delim, filters);
+    ParcelType::writeProperty
+    (
+        os, "nImpacts", nImpacts_, namesOnly, delim, filters
+    );
 }
 
 
@@ -113,10 +137,13 @@ void Foam::SpinningParcel<ParcelType>::readObjects
     }
 
     const auto& omega = cloud::lookupIOField<vector>("omega", obr);
+    const auto& nImpacts = cloud::lookupIOField<label>("nImpacts", obr);
     label i = 0;
     for (SpinningParcel<ParcelType>& p : c)
     {
-        p.omega_ = omega[i++];
+        p.omega_ = omega[i];
+        p.nImpacts_ = nImpacts[i];
+        i++;
     }
 }
 
@@ -132,10 +159,13 @@ void Foam::SpinningParcel<ParcelType>::writeObjects
     ParcelType::writeObjects(c, obr);
 
     auto& omega = cloud::createIOField<vector>("omega", c.size(), obr);
+    auto& nImpacts = cloud::createIOField<label>("nImpacts", c.size(), obr);
     label i = 0;
     for (const SpinningParcel<ParcelType>& p : c)
     {
-        omega[i++] = p.omega_;
+        omega[i] = p.omega_;
+        nImpacts[i] = p.nImpacts_;
+        i++;
     }
 }
 
@@ -150,7 +180,8 @@ Foam::Ostream& Foam::operator<<
     os << static_cast<const ParcelType&>(p);
     if (os.format() == IOstream::ASCII)
     {
-        os << token::SPACE << p.omega_;
+        os  << token::SPACE << p.omega_
+            << token::SPACE << p.nImpacts_;
     }
     else
     {
@@ -158,6 +189,11 @@ Foam::Ostream& Foam::operator<<
         (
             reinterpret_cast<const char*>(p.omega_.cdata()),
             sizeof(p.omega_)
+        );
+        os.write
+        (
+            reinterpret_cast<const char*>(&p.nImpacts_),
+            sizeof(p.nImpacts_)
         );
     }
     os.check(FUNCTION_NAME);
