@@ -468,6 +468,68 @@ TEST(collisionStep, endsAStepThatWouldNotEnd)
 }
 
 
+TEST(collisionStep, boundsTheEventsOfPairsThatAreHeldTogether)
+{
+    // A constant pull towards each other, from contact at rest, a little
+    // apart, and overlapping: four to eight events in a contact duration,
+    // and no sinking in beyond what is stated. The acceleration of the pair
+    // is that of either sphere, or a hundredth of it
+    struct held : balls<parabolicPath>
+    {
+        held()
+        :
+            balls<parabolicPath>(0, 0, false, false, 5)
+        {}
+
+        void collide(int i, int j, const vector3& s, double t)
+        {
+            at(all[i], t);
+            at(all[j], t);
+            const vector3 zero = {0, 0, 0};
+            const pairCollision out = law.collide
+            (
+                {all[i].path.v, zero, 1, 0.5}, {all[j].path.v, zero, 1, 0.5},
+                (1/mag(s))*s, true
+            );
+            all[i].path.v = out.v1;
+            all[j].path.v = out.v2;
+            happenings.push_back({t, i, j});
+        }
+    };
+    const double tc = 1e-3, a = 10, end = 0.5;
+    for (double gap : {0., 1e-9, -1e-9, -1e-3})
+    {
+        for (double common : {0., 99.})
+        {
+            held pair;
+            for (int i = 0; i < 2; ++i)
+            {
+                pair.all.push_back
+                ({
+                    std::uint64_t(i), 0.5, 1,
+                    {
+                        {i*(1 + gap), 0, 0}, {0, 0, 0},
+                        {common*a + (i ? -a : a), 0, 0}, 0
+                    },
+                    false
+                });
+            }
+            collisionStep<held> step({}, contactDuration(tc));
+            const collisionCounts counts = step.run(pair, end);
+            pair.finish(end);
+            const double total = (common > 0 ? 2*common : 2)*a;
+            const double depth = 0.04*total*tc*tc + std::max(0., -gap);
+            EXPECT_LT(counts.pairEvents, 9*end/tc);
+            EXPECT_GT
+            (
+                pair.all[1].path.x.x - pair.all[0].path.x.x, 1 - 1.001*depth
+            );
+            EXPECT_LT(counts.deepestOverlap, 1.001*depth);
+        }
+    }
+}
+
+
 TEST(collisionStep, refusesBadInput)
 {
     typedef collisionStep<balls<straightPath>> stepType;

@@ -216,8 +216,15 @@ void impact::sweptGrid::makeLevels()
         next = last;
         size *= 2;
     }
-    cellStart_.assign(first + 1, 0);
-    movedIn_.assign(first + 1, -1);
+    // The number of cells varies a little from step to step
+    const std::size_t nCells = first + 1;
+    if (cellStart_.capacity() < nCells)
+    {
+        cellStart_.reserve(nCells + nCells/2);
+        movedIn_.reserve(nCells + nCells/2);
+    }
+    cellStart_.assign(nCells, 0);
+    movedIn_.assign(nCells, -1);
 }
 
 
