@@ -305,7 +305,10 @@ Foam::ParcelWallModel<CloudType>::ParcelWallModel
 
 
 template<class CloudType>
-Foam::ParcelWallModel<CloudType>::ParcelWallModel(const ParcelWallModel<CloudType>& other)
+Foam::ParcelWallModel<CloudType>::ParcelWallModel
+(
+    const ParcelWallModel<CloudType>& other
+)
 :
     PatchInteractionModel<CloudType>(other),
     nested_(other.nested_),

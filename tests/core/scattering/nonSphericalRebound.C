@@ -198,7 +198,8 @@ TEST(nonSphericalRebound, scattersAsTheSamplerDoes)
 
 TEST(nonSphericalRebound, isTheSameFromBothSides)
 {
-    const scatteringSampler::setup s = rough(convexBody::box({3e-5, 2e-5, 2e-5}));
+    const scatteringSampler::setup s =
+        rough(convexBody::box({3e-5, 2e-5, 2e-5}));
     nonSphericalRebound wall(s);
     for (int i = 0; i < 200; ++i)
     {
