@@ -7,9 +7,9 @@ import re
 
 import numpy as np
 
-from caseTools import (box, complaint, copy_case, decompose, edit, must, run,
-                       solve, verdict, write_block, write_case, write_field,
-                       write_foam)
+from caseTools import (box, complaint, copy_case, decompose, edit,
+                       last_fields, must, run, solve, verdict, write_block,
+                       write_case, write_field, write_foam)
 
 N = (24, 12, 1)
 LENGTH = (0.048, 0.024, 0.002)
@@ -134,6 +134,53 @@ for motion in MOTIONS:
                     for i in parcels)
     verdict(motion + "_two_ranks", worst < 1e-10,
             f"largest difference {worst:.2g}")
+
+# A closed box: what the spinning grains lose is what the gas gains
+case = "box"
+make(case, "embedded")
+write_foam(case, "system/fvSolution",
+           "highSpeedGas { mode transient; maxCo 0.4; }")
+slip = {side: "type slip;" for side in ("xMin", "xMax", "yMin", "yMax")}
+still = {side: "type zeroGradient;" for side in slip}
+for fields in (slip, still):
+    fields.update({side: "type empty;" for side in ("zMin", "zMax")})
+write_block(case, box(LENGTH), N,
+            {side: "wall" for side in ("xMin", "xMax", "yMin", "yMax")})
+must(case, "blockMesh")
+write_field(case, "p", 3e4, still)
+write_field(case, "T", 250, still)
+write_field(case, "U", (0, 0, 0), slip)
+for old, new in (
+        ("coupled no;",
+         "coupled yes; sourceTerms { schemes { U explicit 1; } }"),
+        ("rebound; e 0.8; mu 0.1", "rebound; e 1; mu 0"),
+        ("type crossSectionInjection; volumeFraction 2e-5; diameter 4e-6;\n"
+         "            U0 (500 30 0); patches (xMin); front (0.02 0 0);",
+         "type rakeInjection; start (0.01 0.004 0); end (0.03 0.02 0);\n"
+         "            nParcels 40; nParticle 1e5; diameter 4e-6;"
+         " U0 (500 30 0);")):
+    edit(case, "constant/sandProperties", old, new)
+gamma = float(re.search(r"gamma = ([\d.]+)", solve(case)).group(1))
+
+
+def energies(time):
+    """Of the gas, of the parcels' motion, of their spin [J]."""
+    rho, u, p = last_fields(case, "rho U p", time)
+    volume = np.prod(LENGTH)/np.prod(N)
+    gas = volume*np.sum(p/(gamma - 1) + 0.5*rho*np.sum(u**2, axis=1))
+    states = state(case, time).values()
+    mass = 1e5*2500*np.pi/6*4e-6**3
+    return (gas, 0.5*mass*sum(v @ v for v, _ in states),
+            0.05*mass*4e-6**2*sum(w @ w for _, w in states))
+
+
+first, last = energies(TIMES[0]), energies(TIMES[1])
+given = sum(first[1:]) - sum(last[1:])
+verdict("closed_box_keeps_its_energy",
+        abs(sum(last) - sum(first)) < 1e-12*sum(first)
+        and given > 1e-6*sum(first) and first[2] > last[2] > 0,
+        f"change {sum(last) - sum(first):.2g} of {sum(first):.6g} J, "
+        f"exchanged {given:.3g} J")
 
 # Each must be refused before the first step, with these words
 for name, old, new, words in (
