@@ -421,8 +421,17 @@ bool Foam::SpinningParcel<ParcelType>::moveEmbedded
                 );
                 force.done();
                 ++statistics.nForces;
-                p.U() += pause/(1 + pause*rate.k)*fromCore(rate.a);
+                const scalar acting = pause/(1 + pause*rate.k);
+                const vector impulse = acting*force.external(mass, p.rho());
+                const scalar massEff = force.massEff(mass);
+                const vector U2 = p.U();
+                const vector omega2 = omega_;
+                p.U() += acting*fromCore(rate.a);
                 omega_ += pause/(1 + pause*rate.kSpin)*fromCore(rate.alpha);
+                if (coupled)
+                {
+                    giveToGas(cloud, massEff, U2, omega2, impulse, true);
+                }
                 p.stepFraction() =
                     pause < (1 - p.stepFraction())*trackTime
                   ? p.stepFraction() + pause/trackTime

@@ -212,7 +212,12 @@ protected:
 };
 
 
-std::string single(const char* d, const char* U0, const char* at = "(0.02 0.02 0)")
+std::string single
+(
+    const char* d,
+    const char* U0,
+    const char* at = "(0.02 0.02 0)"
+)
 {
     return
         "subModels{injectionModels{rake{start " + std::string(at)
