@@ -108,9 +108,10 @@ void impact::cellCollisions::divide(const molecules& gas, const box& around)
         nDivided += perWidth > 0;
     }
 
-    // Two molecules for each sub-cell
-    int m = 1;
-    while (nDivided && 2*std::pow(m + 0.5, nDivided) <= n)
+    // Two molecules for each sub-cell or more: with fewer, many would meet the
+    // partner of their last collision again, which changes nothing
+    int m = 2;
+    while (nDivided && 2*std::pow(m + 1, nDivided) <= n)
     {
         ++m;
     }
