@@ -35,20 +35,29 @@ impactKernel void rotationSeries
             p[n][v] = c[n][right[0][v]];
             q[n][v] = c[n][right[1][v]];
         }
-        // Sums of every other term: they do not wait for each other
+        // Sums of every other term: they do not wait for each other. The
+        // rows just made come last
         row d = {}, e = {}, d2 = {}, e2 = {};
-        for (int i = 0; i < n; i += 2)
+        int i = 1;
+        for (; i + 1 < n; i += 2)
         {
             d += a[i]*p[n - i];
             e += b[i]*q[n - i];
             d2 += a[i + 1]*p[n - i - 1];
             e2 += b[i + 1]*q[n - i - 1];
         }
-        if (n % 2 == 0)
+        if (i < n)
         {
-            d += a[n]*p[0];
-            e += b[n]*q[0];
+            d += a[i]*p[n - i];
+            e += b[i]*q[n - i];
         }
+        if (n > 0)
+        {
+            d2 += a[0]*p[n];
+            e2 += b[0]*q[n];
+        }
+        d += a[n]*p[0];
+        e += b[n]*q[0];
         d += d2;
         e += e2;
         const double f = 1./(n + 1);
