@@ -1,0 +1,155 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+
+Description
+    The laws of drag, Magnus force and torque for arguments from next to
+    nothing to the absurd, traps on: one row 'case | expected | observed |
+    verdict' each.
+\*---------------------------------------------------------------------------*/
+
+#include "hendersonDrag.H"
+#include "magnusLift.H"
+#include "rotationalTorque.H"
+
+#include <algorithm>
+#include <cfenv>
+#include <cmath>
+#include <cstdio>
+
+namespace
+{
+
+//- Smallest and largest of what a law gives, and whether all are finite
+struct extremes
+{
+    double least = HUGE_VAL, most = -HUGE_VAL;
+    int n = 0;
+    bool finite = true;
+
+    void add(double value)
+    {
+        finite = finite && std::isfinite(value);
+        least = std::min(least, value);
+        most = std::max(most, value);
+        ++n;
+    }
+
+    void row(const char* name, const char* expected, bool good) const
+    {
+        std::printf
+        (
+            "%s | %s | %d values from %.4g to %.4g | %s\n",
+            name, expected, n, least, most, finite && good ? "ok" : "FAILED"
+        );
+    }
+};
+
+
+//- Zero, and powers of ten from 1e-least to 1e+most with three steps each
+template<class F>
+void sweep(int least, int most, const F& f)
+{
+    f(0.);
+    for (int i = -3*least; i <= 3*most; ++i)
+    {
+        f(std::pow(10., i/3.));
+    }
+}
+
+} // End anonymous namespace
+
+
+int main()
+{
+    using namespace impact;
+    feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
+
+    for (const double TwOverT : {0.01, 1., 100.})
+    {
+        const hendersonDrag drag(1.4, TwOverT);
+        extremes CdRe, slow;
+        sweep
+        (
+            30, 12, [&](double Re)
+            {
+                sweep
+                (
+                    30, 30, [&](double M)
+                    {
+                        // Mach over Reynolds number; without relative motion
+                        // a Knudsen number
+                        CdRe.add(drag.CdRe(Re, Re > 0 ? M/Re : M));
+                    }
+                );
+                if (Re <= 1e-6)
+                {
+                    slow.add(drag.CdRe(Re, 1e-9)/24);
+                }
+            }
+        );
+        char name[100];
+        std::snprintf
+        (
+            name, sizeof name, "Henderson's drag, Tw/T = %g, Re 0 to 1e12, "
+            "M 0 to 1e30", TwOverT
+        );
+        CdRe.row(name, "finite, never thrust", CdRe.least >= 0);
+        std::snprintf
+        (
+            name, sizeof name, "Henderson's drag, Tw/T = %g, Re 0 to 1e-6, "
+            "M/Re 1e-9", TwOverT
+        );
+        slow.row
+        (
+            name, "24/Re within 0.4 %",
+            slow.least > 0.996 && slow.most < 1.004
+        );
+    }
+
+    extremes lift;
+    sweep
+    (
+        30, 30, [&](double Re)
+        {
+            sweep
+            (
+                30, 30, [&](double ReOmega)
+                {
+                    lift.add(magnusLift::coefficient(Re, ReOmega));
+                }
+            );
+        }
+    );
+    lift.row
+    (
+        "Magnus coefficient, Re and spin Re 0 to 1e30", "from 0 to 1",
+        lift.least >= 0 && lift.most <= 1
+    );
+
+    extremes torque, left;
+    sweep
+    (
+        30, 30, [&](double ReOmega)
+        {
+            torque.add(rotationalTorque::clRe(ReOmega));
+            sweep
+            (
+                30, 30, [&](double t)
+                {
+                    left.add(rotationalTorque::remaining(ReOmega, t));
+                }
+            );
+        }
+    );
+    torque.row
+    (
+        "torque, spin Re 0 to 1e30", "at least Stokes' 64 pi",
+        torque.least > 64*M_PI*(1 - 1e-2)
+    );
+    left.row
+    (
+        "spin left after 0 to 1e30 relaxation times, spin Re 0 to 1e30",
+        "from 0 to 1", left.least >= 0 && left.most <= 1
+    );
+    return 0;
+}
