@@ -177,18 +177,37 @@ void Foam::EventDrivenCollisions<CloudType>::admitInjected()
         return;
     }
 
-    // Injected parcels stand at the end of the list
+    // Injected parcels stand at the end of the list. Others matter near them
+    // only, or at the ends of a period
     struct member
     {
         parcelType* parcel;
         bool injected;
     };
     std::vector<member> members;
-    members.reserve(cloud_.size());
+    boundBox near;
+    scalar largest = 0;
     label n = 0;
     for (parcelType& p : cloud_)
     {
-        members.push_back({&p, n++ >= nParcels_});
+        largest = max(largest, p.d());
+        if (n++ >= nParcels_)
+        {
+            near.add(p.position());
+        }
+    }
+    const vector margin(2*largest*vector::one);
+    near = boundBox(near.min() - margin, near.max() + margin);
+    const bool* periodic = step_.grid().domain().periodic;
+    const bool all = periodic[0] || periodic[1] || periodic[2];
+    n = 0;
+    for (parcelType& p : cloud_)
+    {
+        const bool injected = n++ >= nParcels_;
+        if (injected || all || near.contains(p.position()))
+        {
+            members.push_back({&p, injected});
+        }
     }
 
     // Moving a pair apart may bring one of them upon a third
@@ -521,7 +540,9 @@ Foam::EventDrivenCollisions<CloudType>::EventDrivenCollisions
     directions_(vector::one),
     nParcels_(-1),
     td_(nullptr),
-    deltaT_(0)
+    deltaT_(0),
+    totals_(scalar(0)),
+    deepest_(0)
 {
     const polyMesh& mesh = cloud.mesh();
     for (label k = 0; k < 3; ++k)
@@ -700,28 +721,37 @@ bool Foam::EventDrivenCollisions<CloudType>::hitWall
 
 
 template<class CloudType>
-void Foam::EventDrivenCollisions<CloudType>::info() const
+void Foam::EventDrivenCollisions<CloudType>::info()
 {
-    FixedList<scalar, 5> sums;
-    sums[0] = report_.pairEvents;
-    sums[1] = report_.wallEvents;
-    sums[2] = report_.restitutionLoss;
-    sums[3] = report_.frictionLoss;
-    sums[4] = report_.overlappingInjection;
-    for (scalar& sum : sums)
+    FixedList<scalar, 5> step;
+    step[0] = report_.pairEvents;
+    step[1] = report_.wallEvents;
+    step[2] = report_.restitutionLoss;
+    step[3] = report_.frictionLoss;
+    step[4] = report_.overlappingInjection;
+    forAll(step, i)
     {
-        reduce(sum, sumOp<scalar>());
+        reduce(step[i], sumOp<scalar>());
+        totals_[i] += step[i];
     }
     const scalar overlap =
         returnReduce(report_.deepestOverlap, maxOp<scalar>());
-    Info<< "    Pair events, boundary events    = " << sums[0] << ", "
-        << sums[1] << nl
-        << "    Deepest overlap                 = " << overlap << nl
-        << "    Energy lost to restitution, friction = " << sums[2] << ", "
-        << sums[3] << nl;
-    if (sums[4] > 0)
+    deepest_ = max(deepest_, overlap);
+    const auto line =
+        [&](const char* text, const label i)
+        {
+            Info<< text << step[i] << ", " << step[i + 1]
+                << "; in all " << totals_[i] << ", " << totals_[i + 1]
+                << nl;
+        };
+    line("    Pair, boundary events           = ", 0);
+    Info<< "    Deepest overlap                 = " << overlap
+        << "; in all " << deepest_ << nl;
+    line("    Lost to restitution, friction   = ", 2);
+    if (totals_[4] > 0)
     {
-        Info<< "    Overlapping injections          = " << sums[4]
-            << (separate_ ? " separated" : " refused") << nl;
+        Info<< "    Injections upon others          = " << step[4]
+            << "; in all " << totals_[4]
+            << (separate_ ? ", separated" : ", refused") << nl;
     }
 }

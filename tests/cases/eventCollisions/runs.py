@@ -74,30 +74,27 @@ def make(case, motion):
     write_foam(case, "constant/sandProperties", CLOUD.replace("MOTION", motion))
 
 
-def report(log, label):
-    """Numbers of a line of the cloud, by step."""
-    lines = re.findall(re.escape(label) + r"\s*= (.*)", log)
-    return np.array([[float(v) for v in line.split(",")] for line in lines])
+def totals(log, label):
+    """Numbers of the last line of the cloud, since the start of the run."""
+    line = re.findall(re.escape(label) + r"\s*= .*; in all (.*)", log)[-1]
+    return np.array([float(v) for v in line.split(",")])
 
 
 for motion in ("stock", "embeddedRK54"):
     make(motion, motion)
     case = copy_case(motion, motion + "Straight")
     log = solve(case)
-    events = report(log, "Pair events, boundary events")
-    lost = report(log, "Energy lost to restitution, friction")
-    overlap = report(log, "Deepest overlap")[:, 0]
+    events = totals(log, "Pair, boundary events")
+    lost = totals(log, "Lost to restitution, friction")
+    overlap = totals(log, "Deepest overlap")[0]
     verdict(motion + "_collides",
-            len(events) == 40 and events[:, 0].sum() > 100
-            and events[:, 1].sum() > 20 and np.all(lost >= 0)
-            and lost[:, 0].sum() > 0 and lost[:, 1].sum() > 0,
-            f"{len(events)} steps, {events.sum(axis=0)} events, "
-            f"lost {lost.sum(axis=0)} J, least {lost.min()} J")
+            events[0] > 1000 and events[1] > 100 and np.all(lost > 0),
+            f"{events} events, lost {lost} J")
 
     # What is injected upon another is taken out before the step, so that all
     # overlaps of a step are those that its collisions have left
     verdict(motion + "_does_not_overlap",
-            overlap.max() < 1e-9*6e-6, f"{overlap.max():.3g} m")
+            overlap < 1e-9*6e-6, f"{overlap:.3g} m")
 
     restarted = copy_case(motion, motion + "Restarted")
     edit(restarted, "system/controlDict", "endTime 8e-06", "endTime 4e-06")
