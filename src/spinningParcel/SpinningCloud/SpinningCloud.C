@@ -70,6 +70,39 @@ void Foam::SpinningCloud<CloudType>::setModels()
 
 
 template<class CloudType>
+void Foam::SpinningCloud<CloudType>::setCollisions()
+{
+    const dictionary& solution = this->solution().dict();
+    const dictionary* coeffs = solution.findDict("collisions");
+    const word type
+    (
+        coeffs
+      ? coeffs->get<word>("type")
+      : solution.lookupOrDefault<word>("collisions", "off")
+    );
+    if (type == "eventDriven")
+    {
+        collisions_.reset
+        (
+            new EventDrivenCollisions<spinningCloudType>
+            (
+                *this,
+                coeffs ? *coeffs : dictionary(solution, dictionary())
+            )
+        );
+    }
+    else if (type != "off")
+    {
+        FatalIOErrorInFunction(coeffs ? *coeffs : solution)
+            << "Entry '" << (coeffs ? "collisions/type" : "collisions")
+            << "', value " << type
+            << ", is outside the valid range (off eventDriven)"
+            << exit(FatalIOError);
+    }
+}
+
+
+template<class CloudType>
 void Foam::SpinningCloud<CloudType>::checkEmbedded() const
 {
     const dictionary& solution = this->solution().dict();
@@ -273,6 +306,7 @@ Foam::SpinningCloud<CloudType>::SpinningCloud
             parcelType::readFields(*this);
             this->deleteLostParticles();
         }
+        setCollisions();
     }
 
     if (this->solution().resetSourcesOnStartup())
@@ -314,7 +348,8 @@ Foam::SpinningCloud<CloudType>::SpinningCloud
             c.ETrans()
         )
     ),
-    counts_(c.counts_)
+    counts_(c.counts_),
+    collisions_(nullptr)
 {
     if (c.embedded_.valid())
     {
@@ -452,7 +487,15 @@ void Foam::SpinningCloud<CloudType>::motion
     typename parcelType::trackingData& td
 )
 {
-    CloudType::motion(cloud, td);
+    if (collisions_.valid())
+    {
+        collisions_->motion(td);
+        this->updateCellOccupancy();
+    }
+    else
+    {
+        CloudType::motion(cloud, td);
+    }
 }
 
 
@@ -496,6 +539,10 @@ void Foam::SpinningCloud<CloudType>::info()
                 << impact::rotationalTorque::ReMax << " (its fit) = "
                 << 100*sums[4]/sums[3] << " % of " << sums[3] << nl;
         }
+    }
+    if (collisions_.valid())
+    {
+        collisions_->info();
     }
     if (embedded_.valid())
     {

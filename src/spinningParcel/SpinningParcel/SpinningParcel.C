@@ -191,14 +191,23 @@ bool Foam::SpinningParcel<ParcelType>::hitPatch
     trackingData& td
 )
 {
-    const bool done = ParcelType::hitPatch(cloud, td);
-
-    // Wall laws evaluated without spin may have left one
-    if (!td.rotation())
+    if constexpr (TrackCloudType::planned)
     {
-        omega_ = Zero;
+        // Motion without effects ends here
+        td.switchProcessor = true;
+        return true;
     }
-    return done;
+    else
+    {
+        const bool done = ParcelType::hitPatch(cloud, td);
+
+        // Wall laws evaluated without spin may have left one
+        if (!td.rotation())
+        {
+            omega_ = Zero;
+        }
+        return done;
+    }
 }
 
 
