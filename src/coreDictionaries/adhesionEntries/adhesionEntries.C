@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <optional>
 #include <sstream>
 #include <string>
 
@@ -294,33 +295,44 @@ impact::adhesiveRebound Foam::adhesionEntries::wall
     typedef impact::adhesiveRebound wall;
     const wall::materials materials(readMaterials(dict));
 
-    // Size and density matter to measurements alone
-    wall::sphere measured = {1e-6, 1000};
-    if (dict.isDict("alpha"))
+    // Of the particles that alpha was measured with, if it was
+    std::optional<impact::jkrContact> measured;
+    if
+    (
+        dict.isDict("alpha")
+     && dict.subDict("alpha").getOrDefault<word>("type", word::null)
+     == "calibrated"
+    )
     {
         const dictionary& alpha = dict.subDict("alpha");
-        if (alpha.getOrDefault<word>("type", word::null) == "calibrated")
+        const impact::elasticSphere sphere =
         {
-            measured.diameter = alpha.get<scalar>("diameter");
-            measured.density = alpha.get<scalar>("density");
-        }
+            alpha.get<scalar>("diameter"), alpha.get<scalar>("density"), {1, 0}
+        };
+        measured = checked(alpha, [&]()
+        {
+            return impact::jkrContact
+            (
+                0.5*sphere.diameter,
+                materials.modulus,
+                sphere.mass(),
+                materials.workOfAdhesion
+            );
+        });
     }
-    const impact::jkrContact contact = checked(dict, [&]()
-    {
-        return impact::jkrContact
-        (
-            0.5*measured.diameter,
-            materials.modulus,
-            impact::elasticSphere
-            {
-                measured.diameter, measured.density, {1, 0}
-            }.mass(),
-            materials.workOfAdhesion
-        );
-    });
     const impact::unloadingType end = unloading(dict);
     std::vector<measuredImpact> data;
-    const impact::dissipationLaw alpha(law(dict, casePath, contact, end, data));
+    const impact::dissipationLaw alpha
+    (
+        law
+        (
+            dict,
+            casePath,
+            measured.value_or(impact::jkrContact(1, 1, 1, 1)),
+            end,
+            data
+        )
+    );
     const bool hold =
         getWordOf(dict, "outside", "refuse", {"refuse", "hold"}) == "hold";
     const scalar friction = dict.get<scalar>("friction");

@@ -476,7 +476,7 @@ void Foam::wallLayer::report
     reduce(covered, sumOp<scalar>());
     reduce(area, sumOp<scalar>());
     reduce(most, maxOp<scalar>());
-    os  << "    Layer on the wall: " << model << ", patch " << patch.name()
+    os  << "    Layer on patch " << patch.name() << ", " << model
         << nl
         << "      - adhered (number, mass)      = " << number << ", " << mass
         << nl
