@@ -60,7 +60,10 @@ Foam::wallLayer::wallLayer
     state_(bounds, mesh.nBoundaryFaces()),
     events_(),
     releases_(),
-    nReleased_(0)
+    nReleased_(0),
+    settledStep_(-1),
+    freedNumber_(mesh.boundaryMesh().size(), Zero),
+    freedMass_(mesh.boundaryMesh().size(), Zero)
 {
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
@@ -355,6 +358,12 @@ std::vector<Foam::wallLayer::release> Foam::wallLayer::settle()
             << " needs a mesh that does not move or change"
             << exit(FatalError);
     }
+    if (settledStep_ != mesh_.time().timeIndex())
+    {
+        settledStep_ = mesh_.time().timeIndex();
+        freedNumber_ = Zero;
+        freedMass_ = Zero;
+    }
     std::sort
     (
         events_.begin(), events_.end(),
@@ -380,6 +389,8 @@ std::vector<Foam::wallLayer::release> Foam::wallLayer::settle()
             state_.take(e.item, e.strike.sizeClass, e.strike.number/area);
         release& r = releases_[e.release];
         r.number = area*taken[layer::number];
+        freedNumber_[r.patch] += r.number;
+        freedMass_[r.patch] += area*taken[layer::mass];
         if (r.number > 0)
         {
             r.d = std::cbrt
@@ -480,6 +491,9 @@ void Foam::wallLayer::report
         << nl
         << "      - adhered (number, mass)      = " << number << ", " << mass
         << nl
+        << "      - freed now (number, mass)    = "
+        << returnReduce(freedNumber_[patchi], sumOp<scalar>()) << ", "
+        << returnReduce(freedMass_[patchi], sumOp<scalar>()) << nl
         << "      - coverage (mean)             = "
         << (area > 0 ? covered/area : 0) << nl
         << "      - projected area / face, most = " << most << endl;
