@@ -238,6 +238,48 @@ TEST(adhesiveRebound, allSizesOnAllSizes)
 }
 
 
+TEST(adhesiveRebound, extremes)
+{
+    for (double alpha : {0., 1e-6, 0.5, 2., 3.})
+    {
+        for (double w : {1e-12, 0.15, 1e3})
+        {
+            adhesiveRebound law
+            (
+                {50e9, w}, lawCurve(dissipationLaw::constant(alpha)), 0.3
+            );
+            law.setLayer({{36e9, w}, alpha, alpha});
+            for (double d : {1e-8, 2e-5, 1e-2})
+            {
+                const sphere p = {d, 2500};
+                const double unit = law.separationSpeed(p);
+                for (double q : {1e-9, 1e-3, 1., 1e3, 1e9})
+                {
+                    const sphereState before =
+                        {{q*unit, -q*unit, 0}, {0, 0, q*unit/d}};
+                    sphereState s = before, s2 = {};
+                    auto out = law.rebound(n, p, s);
+                    EXPECT_EQ(out.captured, !(q*unit > law.captureSpeed(p)));
+                    EXPECT_LE(energy(p, s), energy(p, before));
+                    EXPECT_TRUE(std::isfinite(mag(s.V) + mag(s.omega)));
+
+                    s = before;
+                    out = law.rebound(n, p, s, {0.5*d, 2000}, s2);
+                    EXPECT_TRUE(out.captured || s.V.y > 0);
+                    EXPECT_TRUE(std::isfinite(mag(s.V) + mag(s.omega)));
+                    EXPECT_TRUE(std::isfinite(mag(s2.V) + mag(s2.omega)));
+                    EXPECT_LE
+                    (
+                        energy(p, s) + energy({0.5*d, 2000}, s2),
+                        energy(p, before)*(1 + 1e-9)
+                    );
+                }
+            }
+        }
+    }
+}
+
+
 TEST(adhesiveRebound, refuses)
 {
     const lawCurve curve(dissipationLaw::constant(1));
