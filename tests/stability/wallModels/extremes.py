@@ -127,7 +127,7 @@ row("jkrAdhesion, alpha 3", "all adhere at any speed", J,
 row("jkrAdhesion, alpha 0, body of 1 cm", "straight up at its speed", J,
     f"{STEEL} alpha 0; {LAYER}", MIDDLE, (0, -100, 0), 1e-2,
     lambda U, w, hits: hits == 1 and 99.999 < U[0, 1] <= 100, end=8e-4)
-row("jkrAdhesion, many grains on a layer of themselves, one step of many"
+row("jkrAdhesion, many grains on a layer of themselves, steps of many"
     " impacts", "all adhere in the end", J, f"{STEEL} alpha 0.2; {LAYER}",
     ((0.02, 0.03, 0.04), (0.02, 0.03, 0.04), 100), (15, -8, 6), 3e-5,
-    lambda U, w, hits: hits >= 100, end=1, step=1, left=0)
+    lambda U, w, hits: hits >= 100, end=10, step=1, left=0)

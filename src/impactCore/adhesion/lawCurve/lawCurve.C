@@ -19,6 +19,9 @@ const int nScan = 400;
 //- Rise of e between two nodes that is taken for a jump
 const double jump = 0.02;
 
+//- Third difference of the nodes up to which e is interpolated
+const double smooth = 4e-6;
+
 //- Threshold in q of a condition that comes true as q grows, between low,
 //  where it is not, and high, where it is
 template<class Condition>
@@ -75,7 +78,22 @@ double impact::lawCurve::search(double q) const
 double impact::lawCurve::solve(double q) const
 {
     const double y = std::pow(captureRatio_/q, 0.2);
-    const int i = int(nNodes*std::sqrt(std::fmax(1 - y, 0.)));
+    const double x = nNodes*std::sqrt(std::fmax(1 - y, 0.));
+    const int i = int(x);
+    if (i >= 1 && i + 2 < nNodes)
+    {
+        // Everett's cubic, good to a fortieth of the third difference
+        const double* e = &nodes_[i - 1];
+        const double before = e[0] - 2*e[1] + e[2];
+        const double after = e[1] - 2*e[2] + e[3];
+        if (std::fabs(after - before) < smooth)
+        {
+            const double t = x - i;
+            return
+                e[1] + t*(e[2] - e[1])
+              - t*(1 - t)/6*((2 - t)*before + (1 + t)*after);
+        }
+    }
     if (i >= nNodes - 1 || nodes_[i + 1] - nodes_[i] > jump)
     {
         return search(q);
