@@ -338,6 +338,28 @@ void Foam::writeJkrImpact
                 << " m/s: alpha(e) is too steep there. The largest is taken"
                 << endl;
         }
+        number = 0;
+        for (const impact::dissipationLaw::interval& i : law.unreachable())
+        {
+            const std::string end = "_" + std::to_string(++number);
+            summary.row("e_withoutSpeedFrom" + end, i.low, "-");
+            summary.row("e_withoutSpeedTo" + end, i.high, "-");
+            WarningInFunction
+                << "No speed belongs to a restitution between " << i.low
+                << " and " << i.high
+                << ": alpha(e) damps more than that even without adhesion"
+                << endl;
+        }
+        if (setup.ofContactWithoutAdhesion)
+        {
+            WarningInFunction
+                << "alpha of type marshall without the entry restitution: the"
+                << " polynomial belongs to the restitution of a contact"
+                << " without adhesion. As a function of the impact's own it"
+                << " has solutions only where the error of the fit, 0.001,"
+                << " exceeds what adhesion takes. Give the restitution"
+                << " without adhesion, or a calibrated alpha" << endl;
+        }
         writeInverse(folder, setup);
     }
 

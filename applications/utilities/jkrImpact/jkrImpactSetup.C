@@ -9,103 +9,25 @@
 #include "ListOps.H"
 #include "Switch.H"
 
-#include <fstream>
-#include <sstream>
-
 namespace
 {
 
 using namespace Foam;
 
-//- The one of the valid words that an entry has
-word getWord
-(
-    const dictionary& dict,
-    const word& entry,
-    const wordList& valid,
-    const word& deflt = word::null
-)
-{
-    const word value
-    (
-        deflt.empty()
-      ? dict.get<word>(entry) : dict.getOrDefault<word>(entry, deflt)
-    );
-    if (!valid.found(value))
-    {
-        FatalIOErrorInFunction(dict)
-            << "Unknown " << entry << ' ' << value << nl
-            << "Valid words: " << flatOutput(valid) << exit(FatalIOError);
-    }
-    return value;
-}
-
-
-impact::elasticSolid readSolid(const dictionary& dict)
-{
-    return {dict.get<scalar>("E"), dict.get<scalar>("nu")};
-}
-
-
-impact::elasticSphere readSphere(const dictionary& dict)
-{
-    return
-    {
-        dict.get<scalar>("diameter"),
-        dict.get<scalar>("density"),
-        readSolid(dict)
-    };
-}
-
-
-//- Effective quantities, or materials
-impact::jkrContact readContact(const dictionary& dict)
-{
-    return checked(dict, [&]()
-    {
-        const scalar w = dict.get<scalar>("workOfAdhesion");
-        if (dict.found("radius"))
-        {
-            return impact::jkrContact
-            (
-                dict.get<scalar>("radius"),
-                dict.get<scalar>("modulus"),
-                dict.get<scalar>("mass"),
-                w
-            );
-        }
-        const impact::elasticSphere particle =
-            readSphere(dict.subDict("particle"));
-        return dict.found("partner")
-          ? impact::jkrContact::between
-            (
-                particle, readSphere(dict.subDict("partner")), w
-            )
-          : impact::jkrContact::onWall
-            (
-                particle, readSolid(dict.subDict("wall")), w
-            );
-    });
-}
-
-
 impact::impactSettings readSettings(const dictionary& dict)
 {
     typedef impact::impactScheme scheme;
-    typedef impact::unloadingType unloading;
 
     impact::impactSettings settings;
     const word name
     (
-        getWord(dict, "scheme", {"rk4", "adaptive", "table"}, "adaptive")
+        getWordOf(dict, "scheme", "adaptive", {"rk4", "adaptive", "table"})
     );
     settings.scheme =
         name == "rk4" ? scheme::rk4
       : name == "table" ? scheme::table
       : scheme::adaptive;
-    settings.unloading =
-        getWord(dict, "unloading", {"soft", "hard"}, "soft") == "soft"
-      ? unloading::soft : unloading::hard;
+    settings.unloading = adhesionEntries::unloading(dict);
     settings.tolerance =
         dict.getOrDefault<scalar>("tolerance", settings.tolerance);
     settings.timeStep =
@@ -113,155 +35,6 @@ impact::impactSettings readSettings(const dictionary& dict)
     settings.interpolate =
         dict.getOrDefault<Switch>("interpolate", settings.interpolate);
     return settings;
-}
-
-
-//- Columns V, e of a file; commas and lines that begin with # are skipped
-std::vector<measuredImpact> readMeasured
-(
-    const dictionary& dict,
-    const fileName& casePath
-)
-{
-    fileName file(dict.get<fileName>("file"));
-    file.expand();
-    if (!file.isAbsolute())
-    {
-        file = casePath/file;
-    }
-    std::ifstream is(file);
-    if (!is)
-    {
-        FatalIOErrorInFunction(dict)
-            << "file " << file << " cannot be read" << exit(FatalIOError);
-    }
-    std::vector<measuredImpact> data;
-    std::string line;
-    for (label number = 1; std::getline(is, line); ++number)
-    {
-        std::replace(line.begin(), line.end(), ',', ' ');
-        std::istringstream columns(line);
-        std::string first;
-        if (!(columns >> first) || first[0] == '#')
-        {
-            continue;
-        }
-        measuredImpact m = {0, 0};
-        columns.clear();
-        columns.seekg(0);
-        if (!(columns >> m.speed >> m.restitution) || !(m.speed > 0))
-        {
-            FatalIOErrorInFunction(dict)
-                << "file " << file << ", line " << number << ", '" << line
-                << "': valid lines: V (0, inf) and e (0, 1)"
-                << exit(FatalIOError);
-        }
-        data.push_back(m);
-    }
-    return data;
-}
-
-
-//- alpha, or type and entries of the law
-impact::dissipationLaw readLaw
-(
-    const dictionary& dict,
-    const fileName& casePath,
-    const impact::jkrContact& contact,
-    impact::unloadingType unloading,
-    std::vector<measuredImpact>& measured
-)
-{
-    typedef impact::dissipationLaw law;
-    if (!dict.isDict("alpha"))
-    {
-        return checked(dict, [&]()
-        {
-            return law::constant(dict.get<scalar>("alpha"), unloading);
-        });
-    }
-    const dictionary& alpha = dict.subDict("alpha");
-    const word type
-    (
-        getWord
-        (
-            alpha, "type", {"constant", "marshall", "polynomial", "calibrated"}
-        )
-    );
-    return checked(alpha, [&]()
-    {
-        if (type == "constant")
-        {
-            return law::constant(alpha.get<scalar>("value"), unloading);
-        }
-        if (type == "marshall")
-        {
-            // P gives back the restitution of a contact without adhesion: as
-            // a function of that of the impact itself no speed belongs to it
-            if (!alpha.found("restitution"))
-            {
-                FatalIOErrorInFunction(alpha)
-                    << "alpha of type marshall needs the entry restitution,"
-                    << " that of the contact without adhesion: valid range"
-                    << " [0, 1]" << exit(FatalIOError);
-            }
-            return law::constant
-            (
-                law::marshall().alpha(alpha.get<scalar>("restitution")),
-                unloading
-            );
-        }
-        if (type == "polynomial")
-        {
-            const List<scalar> coeffs(alpha.get<List<scalar>>("coeffs"));
-            const List<scalar> range
-            (
-                alpha.getOrDefault<List<scalar>>("range", {0, 1})
-            );
-            if (range.size() != 2)
-            {
-                FatalIOErrorInFunction(alpha)
-                    << "range " << flatOutput(range)
-                    << ": valid (low high), 0 <= low < high <= 1"
-                    << exit(FatalIOError);
-            }
-            const law polynomial = law::polynomial
-            (
-                std::vector<double>(coeffs.begin(), coeffs.end()),
-                range[0],
-                range[1],
-                unloading
-            );
-            return alpha.found("restitution")
-              ? law::constant
-                (
-                    polynomial.alpha(alpha.get<scalar>("restitution")),
-                    unloading
-                )
-              : polynomial;
-        }
-        const scalar v = contact.separationSpeed();
-        if (!(v > 0))
-        {
-            FatalIOErrorInFunction(dict)
-                << "workOfAdhesion " << contact.workOfAdhesion()
-                << ": valid range with alpha calibrated (0, inf)"
-                << exit(FatalIOError);
-        }
-        measured = readMeasured(alpha, casePath);
-        std::vector<law::measurement> data;
-        for (const measuredImpact& m : measured)
-        {
-            data.push_back({m.speed/v, m.restitution});
-        }
-        return law::fit
-        (
-            data,
-            alpha.getOrDefault<label>("degree", 3),
-            alpha.getOrDefault<Switch>("extrapolate", false),
-            unloading
-        );
-    });
 }
 
 
@@ -275,7 +48,7 @@ List<scalar> readSpeeds(const dictionary& dict)
         const scalar high = range.get<scalar>("max");
         const label n = range.get<label>("n");
         const bool logarithmic =
-            getWord(range, "spacing", {"log", "linear"}, "log") == "log";
+            getWordOf(range, "spacing", "log", {"log", "linear"}) == "log";
         if (!(low > 0 && high > low))
         {
             FatalIOErrorInFunction(range)
@@ -351,11 +124,26 @@ Foam::jkrImpactSetup::jkrImpactSetup
 :
     contact
     (
-        readContact(dict.isDict("contact") ? dict.subDict("contact") : dict)
+        adhesionEntries::contact
+        (
+            dict.isDict("contact") ? dict.subDict("contact") : dict
+        )
     ),
     settings(readSettings(dict)),
     measured(),
-    law(readLaw(dict, casePath, contact, settings.unloading, measured)),
+    law
+    (
+        adhesionEntries::law
+        (
+            dict, casePath, contact, settings.unloading, measured
+        )
+    ),
+    ofContactWithoutAdhesion
+    (
+        dict.isDict("alpha")
+     && dict.subDict("alpha").get<word>("type") == "marshall"
+     && !law.isConstant()
+    ),
     speeds(readSpeeds(dict))
 {
     trajectories =
@@ -407,14 +195,14 @@ Foam::jkrImpactSetup::jkrImpactSetup
         const dictionary& first = block.subDict("particle");
         const dictionary& second = block.subDict("wall");
         const bool oneWay =
-            getWord(block, "coupling", {"oneWay", "twoWay"}) == "oneWay";
+            getWordOf(block, "coupling", "", {"oneWay", "twoWay"}) == "oneWay";
         chain = checked(block, [&]()
         {
             return impact::contactChain
             (
-                readContact(first),
+                adhesionEntries::contact(first),
                 readChainAlpha(first, law),
-                readContact(second),
+                adhesionEntries::contact(second),
                 readChainAlpha(second, law),
                 oneWay
               ? impact::chainCoupling::oneWay

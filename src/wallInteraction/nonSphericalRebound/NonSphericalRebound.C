@@ -208,40 +208,6 @@ impact::wallFrame Foam::NonSphericalRebound<CloudType>::frameOf
 }
 
 
-template<class CloudType>
-impact::impactKey Foam::NonSphericalRebound<CloudType>::key
-(
-    const parcelType& p
-)
-{
-    if constexpr (parcelSpin::countsImpacts<parcelType>::value)
-    {
-        return impact::impactKey::ofCount
-        (
-            seed_, p.origProc(), p.origId(), p.nImpacts()
-        );
-    }
-    else
-    {
-        const label step = this->owner().db().time().timeIndex();
-        const uint32_t fraction =
-            impact::impactKey::rounded(p.currentTimeFraction());
-        const bool same =
-            p.origProc() == lastProc_ && p.origId() == lastId_
-         && step == lastStep_ && fraction == lastFraction_;
-        lastProc_ = p.origProc();
-        lastId_ = p.origId();
-        lastStep_ = step;
-        lastFraction_ = fraction;
-        repeat_ = same ? repeat_ + 1 : 0;
-        return impact::impactKey::ofTime
-        (
-            seed_, p.origProc(), p.origId(), step, fraction, repeat_
-        );
-    }
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 template<class CloudType>
@@ -263,7 +229,7 @@ Foam::NonSphericalRebound<CloudType>::NonSphericalRebound
     ),
     walls_(),
     wallOf_(this->patches().size(), -1),
-    seed_(scatteringEntries::getSeed(this->coeffDict()))
+    keys_(scatteringEntries::getSeed(this->coeffDict()))
 {
     forAll(wallOf_, i)
     {
@@ -295,7 +261,10 @@ bool Foam::NonSphericalRebound<CloudType>::correct
     wallData& wall = walls_[wallOf_[hit.setting]];
     const impact::wallFrame frame(frameOf(wall, p, hit));
     const impact::vector3 V = frame.toWall(hit.V0);
-    const impact::impactKey k(key(p));
+    const impact::impactKey k
+    (
+        keys_(p, this->owner().db().time().timeIndex())
+    );
 
     impact::wallDeparture d;
     if (wall.direct)
@@ -323,7 +292,7 @@ bool Foam::NonSphericalRebound<CloudType>::correct
         d = wall.table->depart(V, p.d(), k, outside);
         d.raised = outside;
     }
-    if (d.V.y <= 0 && repeat_ >= uint32_t(wall.maxImpacts))
+    if (d.V.y <= 0 && keys_.repeat() >= uint32_t(wall.maxImpacts))
     {
         d.V.y = 0;
         d.capped = true;

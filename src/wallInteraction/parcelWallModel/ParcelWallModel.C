@@ -112,24 +112,9 @@ inline bool Foam::ParcelWallModel<CloudType>::arrive
 
     if (fate == fateType::capture)
     {
-        wallCounters::counts& c = counters_.of(pp.index());
-        const scalar mass = p.nParticle()*p.mass();
-        hit.V1 = hit.omega1 = {0, 0, 0};
         hit.rotation0 =
             impact::sphereRotationalEnergy(hit.radius, toCore(hit.omega0));
-        hit.rotation1 = 0;
-        c[wallCounters::hits] += 1;
-        c[wallCounters::capturedParcels] += 1;
-        c[wallCounters::capturedMass] += mass;
-        c[wallCounters::translationLost] +=
-            mass*impact::translationalEnergy(hit.V0);
-        c[wallCounters::rotationLost] += mass*hit.rotation0;
-        if (impacts_.heard())
-        {
-            publish(p, pp, hit, hit.Uw, true);
-        }
-        keepParticle = false;
-        p.active(false);
+        capture(p, pp, hit, keepParticle);
         return false;
     }
     return true;
@@ -145,17 +130,7 @@ inline void Foam::ParcelWallModel<CloudType>::leave
 )
 {
     vector V1(fromCore(hit.V1));
-    if (reduced_)
-    {
-        const polyMesh& mesh = this->owner().pMesh();
-        const scalar speed = mag(V1);
-        meshTools::constrainDirection(mesh, mesh.solutionD(), V1);
-        const scalar rest = mag(V1);
-        if (keepSpeed_ && rest > 0)
-        {
-            V1 *= speed/rest;
-        }
-    }
+    reduceDimensions(V1);
     p.U() = V1 + hit.Uw;
     if (spins_)
     {
@@ -186,6 +161,51 @@ inline void Foam::ParcelWallModel<CloudType>::leave
     if (mag(V1 & fromCore(hit.n)) < sliding*mag(V1))
     {
         lift(p);
+    }
+}
+
+
+template<class CloudType>
+void Foam::ParcelWallModel<CloudType>::capture
+(
+    parcelType& p,
+    const polyPatch& pp,
+    wallHit& hit,
+    bool& keepParticle
+)
+{
+    wallCounters::counts& c = counters_.of(pp.index());
+    const scalar mass = p.nParticle()*p.mass();
+    hit.V1 = hit.omega1 = {0, 0, 0};
+    hit.rotation1 = 0;
+    c[wallCounters::hits] += 1;
+    c[wallCounters::capturedParcels] += 1;
+    c[wallCounters::capturedMass] += mass;
+    c[wallCounters::translationLost] +=
+        mass*impact::translationalEnergy(hit.V0);
+    c[wallCounters::rotationLost] += mass*hit.rotation0;
+    if (impacts_.heard())
+    {
+        publish(p, pp, hit, hit.Uw, true);
+    }
+    keepParticle = false;
+    p.active(false);
+}
+
+
+template<class CloudType>
+void Foam::ParcelWallModel<CloudType>::reduceDimensions(vector& V) const
+{
+    if (reduced_)
+    {
+        const polyMesh& mesh = this->owner().pMesh();
+        const scalar speed = mag(V);
+        meshTools::constrainDirection(mesh, mesh.solutionD(), V);
+        const scalar rest = mag(V);
+        if (keepSpeed_ && rest > 0)
+        {
+            V *= speed/rest;
+        }
     }
 }
 

@@ -16,6 +16,8 @@ Description
 #include "fluidThermo.H"
 #include "fvMesh.H"
 #include "parcelClouds.H"
+#include "wallCounters.H"
+#include "wallLayer.H"
 
 #include <gtest/gtest.h>
 #include <cstdlib>
@@ -652,4 +654,54 @@ TEST_F(spinningCloudTest, takesTheAnnotatedDictionary)
     EXPECT_TRUE(cloud->rotation());
     step(*cloud);
     EXPECT_EQ(cloud->size(), 7);
+}
+
+
+TEST_F(spinningCloudTest, wallsKeepSpheresAndReleaseThem)
+{
+    open();
+    for (const char* motion : {"", embedded})
+    {
+        // Fast, it rebounds and friction spins it up; slow, it stays
+        for (const char* U0 : {"(10 3 0)", "(0.3 3 0)"})
+        {
+            SCOPED_TRACE(U0);
+            const bool slow = U0[1] == '0';
+            time_->setDeltaT(slow ? 4e-4 : 4e-5);
+            const word name
+            (
+                word(*motion ? "embedded" : "stock")
+              + (slow ? "Slow" : "Fast")
+            );
+            const auto cloud = make
+            (
+                motion + single("2e-5", U0, "(0.0999 0.02 0)")
+              + "subModels{particleForces{} patchInteractionModel jkrAdhesion;"
+                "jkrAdhesionCoeffs{patches (plate{contact{modulus 50e9;"
+                "workOfAdhesion 0.1528;} alpha 1.1891; friction 0.3;"
+                "layer{modulus 36.55648e9; workOfAdhesion 0.0607;}}"
+                "sides{type escape;} inlet{type escape;});}}",
+                name
+            );
+            const label plate = mesh_->boundaryMesh().findPatchID("plate");
+            step(*cloud);
+            const auto& c = wallCounters::New(*cloud).of(plate);
+            ASSERT_EQ(c[wallCounters::hits], 1);
+            EXPECT_EQ(c[wallCounters::capturedParcels], slow);
+            EXPECT_EQ(cloud->size(), !slow);
+            const wallLayer& layer =
+                wallLayer::New(*cloud, mesh_(), {}, dictionary());
+            scalar adhered = 0;
+            for (std::size_t i = 0; i < layer.state().nFaces(); ++i)
+            {
+                adhered += layer.state().coverage(i);
+            }
+            EXPECT_EQ(adhered > 0, slow);
+            if (!slow)
+            {
+                EXPECT_LT(cloud->first()->omega().z(), -1e4);
+                EXPECT_EQ(cloud->first()->nImpacts(), 1);
+            }
+        }
+    }
 }

@@ -46,6 +46,19 @@ protected:
         evolveOnce(cloud);
     }
 
+    //- The adhesive wall, on what adheres already
+    template<class Cloud>
+    void runOnLayer()
+    {
+        writeCloud("sand", adhesive.model, withPlate(adhesive.settings));
+        open();
+        const volVectorField U(velocity());
+        const volScalarField rho(uniform("rho", dimDensity, 1));
+        const volScalarField mu(uniform("mu", dimDynamicViscosity, 1e-5));
+        Cloud cloud("sand", rho, U, mu, noGravity());
+        evolveOnLayer(cloud);
+    }
+
     template<class Cloud>
     void runAll()
     {
@@ -72,6 +85,14 @@ TEST_F(kinematicWallModels, inBasicKinematicCollidingCloud)
 TEST_F(kinematicWallModels, inBasicKinematicMPPICCloud)
 {
     runAll<basicKinematicMPPICCloud>();
+}
+
+
+TEST_F(kinematicWallModels, releaseWhatAdheres)
+{
+    runOnLayer<basicKinematicCloud>();
+    runOnLayer<basicKinematicCollidingCloud>();
+    runOnLayer<basicKinematicMPPICCloud>();
 }
 
 

@@ -30,3 +30,20 @@ TEST_F(heatWallModelsTest, inBasicReactingCloud)
         evolveOnce(cloud);
     }
 }
+
+
+TEST_F(heatWallModelsTest, releaseInBasicReactingCloud)
+{
+    writeCloud
+    (
+        "sand", adhesive.model, withPlate(adhesive.settings), "",
+        "compositionModel singlePhaseMixture; singlePhaseMixtureCoeffs {"
+        " phases ( solid { ash 1; } ); }"
+    );
+    openGas();
+    const volVectorField U(velocity());
+    const volScalarField rho("rho", thermo_->rho());
+    SLGThermo slg(mesh_(), thermo_());
+    basicReactingCloud cloud("sand", rho, U, noGravity(), slg);
+    evolveOnLayer(cloud);
+}

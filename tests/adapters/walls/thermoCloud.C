@@ -29,3 +29,19 @@ TEST_F(heatWallModelsTest, inBasicThermoCloud)
         evolveOnce(cloud);
     }
 }
+
+
+TEST_F(heatWallModelsTest, releaseInBasicThermoCloud)
+{
+    writeCloud
+    (
+        "sand", adhesive.model, withPlate(adhesive.settings), "",
+        ""
+    );
+    openGas();
+    const volVectorField U(velocity());
+    const volScalarField rho("rho", thermo_->rho());
+    SLGThermo slg(mesh_(), thermo_());
+    basicThermoCloud cloud("sand", rho, U, noGravity(), slg);
+    evolveOnLayer(cloud);
+}

@@ -24,8 +24,9 @@ MIDDLE = ((0.05, 0.05, 0.05), (0.05, 0.05, 0.05), 1)
 
 
 def row(name, expected, model, settings, rake, velocity, d, right,
-        end=2e-3, step=1e-4):
-    """One case; right(U, w, hits) is True if the outcome is that expected."""
+        end=2e-3, step=1e-4, left=None):
+    """One case; right(U, w, hits) is True if the outcome is that expected.
+    left: number of parcels that are not captured; default all."""
     shutil.rmtree("case", ignore_errors=True)
     os.mkdir("case")
     write_plate("case", model, f'patches ( "[xyz]M.*" {{ {settings} }} );',
@@ -35,16 +36,20 @@ def row(name, expected, model, settings, rake, velocity, d, right,
     status, log = run("case", "timeout", "300", SOLVER)
     good, seen = False, f"exit status {status}"
     if status == 0:
-        U, L = parcels("case", f"{end:g}", "U", "angularMomentum")[1:]
+        if left == 0:
+            U = L = np.zeros((0, 3))
+            fine = "parcels       = 0\n" in log[log.rindex("\nTime = "):]
+        else:
+            U, L = parcels("case", f"{end:g}", "U", "angularMomentum")[1:]
+            fine = len(U) == (rake[2] if left is None else left)
         I = 0.1*2500*math.pi/6*d**5
         hits = sum(counters(log, side)["hits"][0] for side in WALLS)
-        fine = bool(np.isfinite(U).all() and np.isfinite(L).all()
-                    and len(U) == rake[2])
+        fine = bool(fine and np.isfinite(U).all() and np.isfinite(L).all())
         good = fine and bool(right(U, L/I, hits))
-        speed = np.linalg.norm(U, axis=1)
+        speed = np.linalg.norm(U, axis=1) if len(U) else np.zeros(1)
         seen = (f"{len(U)} of {rake[2]} parcels, {hits:.0f} hits, speeds"
                 f" {speed.min():.3g} to {speed.max():.3g} m/s, spin up to"
-                f" {np.abs(L/I).max():.3g} 1/s")
+                f" {np.abs(L/I).max(initial=0):.3g} 1/s")
     print(f"{name} | {expected} | {seen} | {'ok' if good else 'FAILED'}",
           flush=True)
 
@@ -105,3 +110,24 @@ row("nonSphericalRebound, body of 0.1 mm on relief of 80 nm", "rebounds as on"
     f"{SPHERE} wall {{ type rough; meanSpacing 80e-9; sigmaSpacing 1e-8;"
     f" sigmaHeight 1e-10; }} {LAW}", MIDDLE, (70, -100, 0), 1e-4,
     lambda U, w, hits: abs(U[0, 1] - 80) < 8, end=6e-4)
+
+J = "jkrAdhesion"
+STEEL = "contact { modulus 50e9; workOfAdhesion 0.1528; } friction 0.3;"
+LAYER = "layer { modulus 36.55648e9; workOfAdhesion 0.0607; }"
+GRAZING = ((0.02, 1e-13, 0.05), (0.02, 1e-13, 0.05), 1)
+row("jkrAdhesion, grains of 20 nm", "adhere at 180 m/s", J,
+    f"{STEEL} alpha 1.1891; {LAYER}", MANY, V, 2e-8,
+    lambda U, w, hits: hits == 100, left=0)
+row("jkrAdhesion, grazing at 1e-9 rad", "adheres", J,
+    f"{STEEL} alpha 0; {LAYER}", GRAZING, (100, -1e-7, 0), 3e-5,
+    lambda U, w, hits: hits == 1, end=4e-4, left=0)
+row("jkrAdhesion, alpha 3", "all adhere at any speed", J,
+    f"{STEEL} alpha 3; {LAYER}", MANY, (1.5e4, -8e3, 6e3), 3e-5,
+    lambda U, w, hits: hits == 100, left=0)
+row("jkrAdhesion, alpha 0, body of 1 cm", "straight up at its speed", J,
+    f"{STEEL} alpha 0; {LAYER}", MIDDLE, (0, -100, 0), 1e-2,
+    lambda U, w, hits: hits == 1 and 99.999 < U[0, 1] <= 100, end=8e-4)
+row("jkrAdhesion, many grains on a layer of themselves, steps of many"
+    " impacts", "all adhere in the end", J, f"{STEEL} alpha 0.2; {LAYER}",
+    ((0.02, 0.03, 0.04), (0.02, 0.03, 0.04), 100), (15, -8, 6), 3e-5,
+    lambda U, w, hits: hits >= 100, end=10, step=1, left=0)

@@ -314,3 +314,47 @@ impact::dissipationLaw::ambiguous() const
     }
     return found;
 }
+
+
+std::vector<impact::dissipationLaw::interval>
+impact::dissipationLaw::unreachable() const
+{
+    auto reached = [&](double e)
+    {
+        return e == 0 || e < jkrMotion::hertzRestitution(value(e));
+    };
+    auto edge = [&](double a, double b)
+    {
+        const bool first = reached(a);
+        for (int k = 0; k < 60; ++k)
+        {
+            const double mid = 0.5*(a + b);
+            (reached(mid) == first ? a : b) = mid;
+        }
+        return 0.5*(a + b);
+    };
+    std::vector<interval> found;
+    if (isConstant())
+    {
+        return found;
+    }
+    double last = low_;
+    if (!reached(last))
+    {
+        found.push_back({low_, high_});
+    }
+    for (int i = 1; i <= nScan; ++i)
+    {
+        const double e = i < nScan ? low_ + (high_ - low_)*i/nScan : high_;
+        if (reached(last) && !reached(e))
+        {
+            found.push_back({edge(last, e), high_});
+        }
+        else if (!reached(last) && reached(e))
+        {
+            found.back().high = edge(last, e);
+        }
+        last = e;
+    }
+    return found;
+}

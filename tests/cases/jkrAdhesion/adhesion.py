@@ -1,0 +1,537 @@
+"""Runs and checks of jkrAdhesion; stands in an empty folder. The motion of a
+contact and its scales are written down here once more."""
+
+import csv
+import math
+import os
+import re
+import shutil
+
+import numpy as np
+
+from caseTools import complaint, copy_case, decompose, edit, must, run, verdict
+from plate import (SOLVER, _read, counters, injector, mesh, solve, write_plate)
+
+RHO = 2500.0
+MODULUS, WORK, ALPHA = 50e9, 0.1528, 1.1891
+PAIR_MODULUS, PAIR_WORK = 36.55648e9, 0.0607
+D = 20e-6
+WALL = (f"contact {{ modulus {MODULUS}; workOfAdhesion {WORK}; }}"
+        f" alpha {ALPHA}; friction 0.3;")
+LAYER = (f"layer {{ modulus {PAIR_MODULUS}; workOfAdhesion {PAIR_WORK}; }}")
+LID = '"[xz]M.*" { type escape; } yMax { type escape; }'
+CLOUD = "kinematicCloud"
+
+
+def patches(*items):
+    return "patches ( " + " ".join(items) + " );"
+
+
+def new(name):
+    shutil.rmtree(name, ignore_errors=True)
+    os.mkdir(name)
+    return name
+
+
+def mass(d):
+    return RHO*math.pi/6*d**3
+
+
+def separation_speed(d):
+    """v_st of physics' static curve: W = 7.0926 (w^5 R^4/E^2)^(1/3)."""
+    a0 = (9*math.pi*WORK*(d/2)**2/(2*MODULUS))**(1/3)
+    length = a0**2/(2*6**(1/3)*(d/2))
+    work = 0.935502783*1.5*math.pi*WORK*(d/2)*length
+    return math.sqrt(2*work/mass(d))
+
+
+def restitution(alpha, q):
+    """Motion in u = sqrt(a/a0) and s, dt = D'(u) ds, by RK4."""
+    kappa = math.sqrt(2/6**(1/3))
+    u0, u1 = (2/3)**(1/3), (1/6)**(1/3)
+
+    def slope(u):
+        return 6**(1/3)*(8*u**3 - 4/3)
+
+    def rate(u, p):
+        return p, -slope(u)*(4*(u**6 - u**3) + alpha*kappa*u*p)
+
+    V = q*math.sqrt(2*0.935502783)
+    u, p, turned = u0, V, False
+    while True:
+        h = 5e-4*u/max(abs(p), u**5, 0.02)
+        k1 = rate(u, p)
+        k2 = rate(u + h/2*k1[0], p + h/2*k1[1])
+        k3 = rate(u + h/2*k2[0], p + h/2*k2[1])
+        k4 = rate(u + h*k3[0], p + h*k3[1])
+        v = u + h/6*(k1[0] + 2*k2[0] + 2*k3[0] + k4[0])
+        r = p + h/6*(k1[1] + 2*k2[1] + 2*k3[1] + k4[1])
+        turned |= r <= 0
+        if turned and v <= u1:
+            part = (u - u1)/(u - v)
+            return -(p + part*(r - p))/V
+        if turned and r > 0:
+            return 0
+        u, p = v, r
+
+
+def all_parcels(case, time, *fields):
+    """Fields of the parcels, ordered by their whole identity, and which of
+    them the wall released."""
+    from plate import parcels
+    rows = parcels(case, time, "origProcId", *fields)
+    order = np.lexsort((rows[0], rows[1]))
+    rows = [r[order] for r in rows]
+    return rows[0], rows[1] == 1000000, rows[2:]
+
+
+def patch_field(case, time, name, patch):
+    """Values of a field on a patch, in binary."""
+    with open(f"{case}/{time}/{CLOUD}:{name}", "rb") as file:
+        data = file.read()
+    data = data[data.index(b"boundaryField"):]
+    data = data[data.index(b"\n    " + patch.encode() + b"\n"):]
+    found = re.search(rb"value\s+(uniform|nonuniform List<scalar>)\s*", data)
+    rest = data[found.end():]
+    if found.group(1) == b"uniform":
+        return np.array([float(rest[:rest.index(b";")])])
+    count = re.match(rb"(\d+)\s*\(", rest)
+    return np.frombuffer(rest, "<f8", int(count.group(1)), count.end())
+
+
+def fall(speed, *, tangential=0.0, n=1, d=D, x=(0.3, 0.7), y=1e-4,
+         n_particle=1, start=0.0):
+    more = f" startTime {start!r};" if start else ""
+    return injector((x[0], y, 0.06), (x[1], y, 0.06), n,
+                    (tangential, -speed, 0), d, n_particle) + more
+
+
+# ------------------------------------------------------------------ bare wall
+
+def check_bare():
+    sizes = (1e-6, 1e-5, 2e-5, 5e-5)
+    times = (0.5, 0.99, 1.01, 1.3, 4.0, 100.0)
+    # V_cap from the integration here: where it first rebounds
+    low, high = 1.0, 60.0
+    for _ in range(40):
+        mid = 0.5*(low + high)
+        low, high = ((low, mid) if restitution(ALPHA, mid) > 0
+                     else (mid, high))
+    capture = 0.5*(low + high)
+    rows = [(d, t, t*capture*separation_speed(d))
+            for d in sizes for t in times]
+    case = new("bare")
+    end = 4e-3
+    # Each starts so that it strikes in the middle of the run
+    write_plate(case, "jkrAdhesion", patches(f"yMin {{ {WALL} }}", LID),
+                [injector((0.3, V*end/2, 0.1), (0.3, V*end/2, 0.1), 1,
+                          (0.4*V, -V, 0), d) for d, t, V in rows],
+                end=end, step=end/4, lengths=(4, 10, 0.2))
+    mesh(case)
+    log = solve(case)
+    ids, _, (U,) = all_parcels(case, "0.004", "U")
+    index = {i: k for k, i in enumerate(ids.astype(int))}
+    worst, missing, slip = 0, [], 0
+    for i, (d, t, V) in enumerate(rows):
+        if (t > 1) != (i in index):
+            missing.append((d, t))
+        elif t > 1:
+            e = restitution(ALPHA, t*capture)
+            u = U[index[i]]
+            worst = max(worst, abs(u[1]/V - e))
+            stick = 2/7*0.4*V
+            slip = max(slip, abs(0.4*V - u[0]
+                                 - min(0.3*(1 + u[1]/V)*V, stick))/V)
+    c = counters(log)
+    captured = [(d, t) for d, t, V in rows if t < 1]
+    held = sum(mass(d) for d, t in captured)
+    verdict("bare_captures", not missing, f"V_cap/v_st {capture:.4f}, sizes"
+            f" {sizes}, wrong: {missing}")
+    verdict("bare_restitution", worst < 5e-5,
+            f"{len(U)} impacts, e_n within {worst:.1e}")
+    verdict("bare_friction", slip < 1e-12, f"within {slip:.1e}")
+    verdict("bare_counters", c["hits"] == [len(rows)]
+            and c["rebounded"] == [len(U)]
+            and c["captured (number, mass)"][0] == len(captured)
+            and abs(c["captured (number, mass)"][1]/held - 1) < 1e-5
+            and "adhered (number, mass)" in log, str(c))
+
+
+# ------------------------------------------------------------------ the layer
+
+def check_layer():
+    """Slow parcels cover a face, fast ones hit what is there."""
+    face = 0.25
+    small, large = 1e-5, 2e-5
+    # In one face of four: 0.1 and 0.3 of its area
+    def number(share, d, n):
+        return share*face*0.1/(math.pi/4*d*d)/n
+
+    n = 4000
+    layer = [fall(0.05, n=20, d=small, x=(0.6, 0.7),
+                  n_particle=number(0.1, small, 20)),
+             fall(0.05, n=20, d=large, x=(0.6, 0.7),
+                  n_particle=number(0.3, large, 20))]
+    case = new("layer")
+    options = dict(end=6e-3, step=1e-3, write=3, cells=(4, 2, 2))
+    beam = fall(3.0, n=n, x=(0.6, 0.7), d=large, start=3e-3)
+    settings = patches(f"yMin {{ {WALL} {LAYER} }}", LID)
+    write_plate(case, "jkrAdhesion", settings + " sizeClasses (1.5e-5);",
+                [*layer, beam], **options)
+    mesh(case)
+    log = solve(case)
+    early = log[:log.index("\nTime = 0.004")]
+    cover = patch_field(case, "0.003", "coverage", "yMin")
+    numbers = patch_field(case, "0.003", "layer0Number", "yMin")
+    masses = patch_field(case, "0.003", "adheredMass", "yMin")
+    fields = cover.max(), numbers.max()*face*0.1, masses.sum()*face*0.1
+    want = (0.4, number(0.1, small, 1),
+            number(0.1, small, 1)*mass(small)
+            + number(0.3, large, 1)*mass(large))
+    verdict("layer_fields", np.allclose(fields, want, rtol=1e-12)
+            and (cover > 0).sum() == 1
+            and counters(early)["hits on adhered particles"] == [0],
+            f"coverage {fields[0]:.12f}, number and mass as deposited")
+
+    c = counters(log)
+    hits = c["hits on adhered particles"][0]
+    sigma = math.sqrt(n*0.4*0.6)
+    verdict("layer_hitsByCoverage", abs(hits - 0.4*n) < 5*sigma,
+            f"{hits:.0f} of {n} at coverage 0.4")
+
+    # All that meet one leave by the chain: the utility says how
+    ids, released, (U, d, N) = all_parcels(case, "0.006", "U", "d",
+                                           "nParticle")
+    speeds = {}
+    for other in (small, large):
+        m = mass(large)*mass(other)/(mass(large) + mass(other))
+        r = large*other/(large + other)/2
+        os.makedirs("chain/system", exist_ok=True)
+        with open("chain/system/jkrImpactDict", "w") as file:
+            wall = (f"radius {other/2}; modulus {MODULUS}; mass"
+                    f" {mass(other)}; workOfAdhesion {WORK};")
+            file.write(f"""
+contact {{ {wall} }}
+alpha {ALPHA}; speeds (3); tolerance 1e-10;
+chain {{ particle {{ radius {r}; modulus {PAIR_MODULUS}; mass {m};
+    workOfAdhesion {PAIR_WORK}; }} wall {{ {wall} }}
+    coupling twoWay; }}
+""")
+        must("chain", "jkrImpact", "-noPlot")
+        with open("chain/postProcessing/jkrImpact/chain.csv") as file:
+            row = next(csv.DictReader(file))
+        speeds[other] = float(row["vP1"]), float(row["vP2"])
+    first, second = U[~released], U[released]
+    from_large = np.abs(first[:, 1] - speeds[large][0]) < 1e-5
+    from_small = np.abs(first[:, 1] - speeds[small][0]) < 1e-5
+    bare = np.abs(first[:, 1]/3 - restitution(
+        ALPHA, 3/separation_speed(large))) < 5e-5
+    share = from_large.sum()/max(hits, 1)
+    verdict("layer_outcomes", (from_large | from_small | bare).all()
+            and from_large.sum() + from_small.sum() == hits,
+            f"{bare.sum()} off the wall, {from_large.sum()} and"
+            f" {from_small.sum()} off the two sizes")
+    verdict("layer_shareOfSizes",
+            abs(share - 0.75) < 5*math.sqrt(0.75*0.25/hits),
+            f"{share:.3f} of the hits on the larger, 0.75 of the area")
+    out = np.where(np.abs(d[released] - large) < 1e-12, speeds[large][1],
+                   speeds[small][1])
+    detach = {k: v[1] > 0 for k, v in speeds.items()}
+    expected = (from_large.sum()*detach[large]
+                + from_small.sum()*detach[small])
+    verdict("layer_released", released.sum() == expected
+            and np.abs(second[:, 1] - out).max() < 1e-5
+            and np.allclose(N[released], 1, rtol=1e-12)
+            and np.abs(np.minimum(np.abs(d[released] - large),
+                                  np.abs(d[released] - small))).max() < 1e-15
+            and c["detached particles"] == [expected],
+            f"{released.sum()} released, {expected} expected")
+    total = (number(0.1, small, 1)*mass(small)
+             + number(0.3, large, 1)*mass(large) + n*mass(large))
+    area = face*0.1
+    late = patch_field(case, "0.006", "adheredMass", "yMin").sum()*area
+    air = (N*mass(1)*d**3).sum()
+    verdict("layer_mass", abs((late + air)/total - 1) < 1e-13
+            and abs(c["detached mass"][0]
+                    / (N[released]*mass(1)*d[released]**3).sum() - 1) < 1e-5,
+            f"injected {total:.6e} kg, missing"
+            f" {(late + air)/total - 1:.1e} of it")
+    kinetic = (N*mass(1)*d**3*(U**2).sum(1)/2)[released].sum()
+    # The spin of a parcel that carries none is not there
+    verdict("layer_energy",
+            abs(c["energy of the detached"][0]/kinetic - 1) < 1e-5,
+            f"kinetic energy of the detached {kinetic:.4e} J")
+
+
+def check_oblique():
+    """Momentum along the wall, of both that leave, is what came."""
+    case = new("oblique")
+    face = 0.25*0.1
+    n_cover = 2*face/(math.pi/4*D*D)
+    write_plate(case, "jkrAdhesion",
+                patches(f"yMin {{ {WALL} {LAYER} }}", LID),
+                [fall(0.05, x=(0.65, 0.65), n_particle=n_cover),
+                 fall(3.0, tangential=2.0, n=50, x=(0.6, 0.7), start=3e-3)],
+                end=6e-3, step=1e-3, cells=(4, 2, 2),
+                solution="rotation on;")
+    mesh(case)
+    log = solve(case)
+    ids, released, (U, L) = all_parcels(case, "0.006", "U",
+                                        "angularMomentum")
+    p = U[:, 0].sum()
+    c = counters(log)
+    verdict("oblique_momentum", c["hits on adhered particles"] == [50]
+            and released.sum() == 50 and abs(p/100 - 1) < 1e-12,
+            f"{p:.12f} of 100")
+    w = L[:, 2]/(0.1*mass(D)*D*D)
+    # The impulse turns both the same way: equal spheres, equal spins
+    verdict("oblique_spin", np.allclose(w, w[0], rtol=1e-9)
+            and abs(w[0]) > 1e4, f"{w[0]:.5g} 1/s")
+    overfill = patch_field(case, "0.006", "overfill", "yMin").max()
+    verdict("overfill", 0.99 < overfill < 1 and patch_field(
+        case, "0.006", "coverage", "yMin").max() == 1, f"{overfill:.6f}")
+
+
+# ------------------------------------------------------- ranks and restarts
+
+def closed(name, model, settings, **more):
+    """A closed box of adhesive walls, hit often, at speeds about those of
+    capture and detachment; layers that are hit."""
+    case = new(name)
+    # The slow ones arrive in the middle of a step: at its end, round-off would
+    # say which layer they meet
+    sides = {side + end: "wall" for side in "xyz" for end in ("Min", "Max")}
+    options = dict(end=0.4, step=4e-3, write=50, lengths=(0.1, 0.1, 0.1),
+                   cells=(6, 5, 4), sides=sides)
+    options.update(more)
+    write_plate(case, model, settings, [
+        injector((0.01, 0.03, 0.04), (0.09, 0.08, 0.06), 600, (6, -4, 5), D,
+                 N_LARGE),
+        injector((0.01, 0.01, 0.01), (0.09, 0.02, 0.03), 300, (-5, 3, -6),
+                 1e-5, N_SMALL),
+        injector((0.005, 1.1e-3, 0.005), (0.095, 1.1e-3, 0.095), 300,
+                 (0.1, -0.05, 0.1), D, N_LARGE)], **options)
+    mesh(case)
+    return case
+
+
+N_LARGE, N_SMALL = 5e4, 1e5
+CLOSED = ('"[xyz]M.*" { contact { modulus 50e9; workOfAdhesion 0.1528; }'
+          " alpha 0.3; friction 0.1; layer { modulus 36.55648e9;"
+          " workOfAdhesion 0.0607; } }")
+FIELDS = [f"layer{k}{q}" for k in (0, 1)
+          for q in ("Number", "Mass", "Area", "Volume")] + [
+              "adheredNumber", "adheredMass", "coverage", "overfill"]
+WALLS = [side + end for side in "xyz" for end in ("Min", "Max")]
+
+
+def state(case, time="0.4"):
+    ids, released, fields = all_parcels(case, time, "U", "d", "nParticle",
+                                        "angularMomentum")
+    layers = {(name, wall): patch_field(case, time, name, wall)
+              for name in FIELDS for wall in WALLS}
+    return ids, released, fields, layers
+
+
+def total_mass(s):
+    N, d = s[2][2], s[2][1]
+    area = {"x": 0.01/20, "y": 0.01/24, "z": 0.01/30}
+    held = sum(s[3]["adheredMass", w].sum()*area[w[0]]
+               * (1 if s[3]["adheredMass", w].size > 1 else
+                  {"x": 20, "y": 24, "z": 30}[w[0]]) for w in WALLS)
+    return (N*mass(1)*d**3).sum() + held, held
+
+
+def check_ranks():
+    settings = patches(CLOSED) + " sizeClasses (1.5e-5);"
+    whole = closed("straight", "jkrAdhesion", settings)
+    log = solve(whole)
+    reference = state(whole)
+    told = [counters(log, w) for w in WALLS]
+    hits = sum(c["hits"][0] for c in told)
+    met = sum(c["hits on adhered particles"][0] for c in told)
+    free = sum(c["detached particles"][0] for c in told)
+    caught = sum(c["captured (number, mass)"][0] for c in told)
+    n = len(reference[0])
+    injected = 900*N_LARGE*mass(D) + 300*N_SMALL*mass(1e-5)
+    total, held = total_mass(reference)
+    verdict("box_runs", hits > 2000 and met > 50 and free > 0 and caught > 100
+            and reference[1].any(),
+            f"{hits:.0f} hits, {met:.0f} on adhered particles, {caught:.0f}"
+            f" captured, {free:.3g} particles set free, {n} parcels left,"
+            f" {reference[1].sum()} of them from the walls")
+    verdict("box_mass", abs(total/injected - 1) < 1e-12,
+            f"{held/injected:.3f} of the mass on the walls, missing"
+            f" {total/injected - 1:.1e}")
+
+    ranks = copy_case("straight", new("ranks") + "/case")
+    for time in os.listdir(ranks):
+        if re.fullmatch(r"0\.\d+", time):
+            shutil.rmtree(f"{ranks}/{time}")
+    decompose(ranks)
+    log2 = solve(ranks, 2)
+    must(ranks, "reconstructPar", "-latestTime")
+    for part in (0, 1):
+        shutil.rmtree(f"{ranks}/processor{part}")
+    got = state(ranks)
+    same = [len(reference[0]) == len(got[0])
+            and np.array_equal(reference[0], got[0])
+            and np.array_equal(reference[1], got[1])]
+    same += [same[0] and np.allclose(a, b, rtol=1e-9, atol=1e-12)
+             for a, b in zip(reference[2], got[2])]
+    fields = all(np.allclose(reference[3][k], got[3][k], rtol=1e-12)
+                 for k in reference[3])
+    verdict("ranks", all(same) and fields,
+            f"parcels {same}, fields of the layer {fields}")
+    two = [counters(log2, w) for w in WALLS]
+    verdict("ranks_counters", all(np.allclose(a[k], b[k], rtol=1e-5)
+                                  for a, b in zip(told, two) for k in a),
+            "the same")
+
+    half = closed("halfway", "jkrAdhesion", settings, end=0.2)
+    solve(half)
+    edit(half, "system/controlDict", "endTime 0.2", "endTime 0.4")
+    log3 = solve(half)
+    got = state(half)
+    same = ([np.array_equal(a, b) for a, b in
+             zip(reference[:2], got[:2])]
+            + [np.array_equal(a, b) for a, b in zip(reference[2], got[2])])
+    fields = all(np.array_equal(reference[3][k], got[3][k])
+                 for k in reference[3])
+    verdict("restart", all(same) and fields,
+            f"parcels bit by bit {same}, fields of the layer {fields}")
+    again = [counters(log3, w) for w in WALLS]
+    verdict("restart_counters", all(np.allclose(a[k], b[k], rtol=1e-5)
+                                    for a, b in zip(told, again) for k in a),
+            "the same")
+
+    nested = closed("nested", "multiInteraction", f"""
+oneInteractionOnly true;
+first {{ patchInteractionModel jkrAdhesion; jkrAdhesionCoeffs {{
+    {settings.replace('[xyz]M.*', '[xy]M.*')} }} }}
+second {{ patchInteractionModel jkrAdhesion; jkrAdhesionCoeffs {{
+    {settings.replace('[xyz]M.*', 'zM.*')} }} }}""")
+    log4 = solve(nested)
+    got = state(nested)
+    same = (np.array_equal(reference[0], got[0])
+            and np.array_equal(reference[2][0], got[2][0])
+            and all(np.array_equal(reference[3][k], got[3][k])
+                    for k in reference[3]))
+    four = [counters(log4, w) for w in WALLS]
+    verdict("multiInteraction", same
+            and all(np.allclose(a[k], b[k], rtol=1e-5)
+                    for a, b in zip(told, four) for k in a),
+            f"two models of one layer: parcels and layer the same {same}")
+
+    # Other classes than those of the layer that is read
+    edit("halfway", f"constant/{CLOUD}Properties", "sizeClasses (1.5e-5)",
+         "sizeClasses ()")
+    edit("halfway", "system/controlDict", "endTime 0.4", "endTime 0.5")
+    status, text = run("halfway", SOLVER)
+    verdict("refuses_otherClasses", status and "sizeClasses" in text
+            and "layer of time" in text, complaint(text))
+
+
+# ------------------------------------------------------------------ bad input
+
+def check_bad_input():
+    def wall(old="", change="", more=""):
+        assert old in WALL
+        return patches(f"yMin {{ {WALL.replace(old, change)} {more} }}", LID)
+
+    rows = [
+        ("work", wall("workOfAdhesion 0.1528", "workOfAdhesion -1"),
+         ["workOfAdhesion of a wall -1", "(0, inf)"]),
+        ("noWork", wall("workOfAdhesion 0.1528", "workOfAdhesion 0"),
+         ["workOfAdhesion", "(0, inf)"]),
+        ("modulus", wall("modulus 50000000000.0", "modulus -1"),
+         ["modulus -1", "(0, inf)"]),
+        ("radius", wall("contact {", "contact { radius 1e-5;"),
+         ["radius", "parcel"]),
+        ("alpha", wall("alpha 1.1891", "alpha -1"),
+         ["alpha -1", "[0, 10]"]),
+        ("noAlpha", wall("alpha 1.1891;"), ["alpha"]),
+        ("friction", wall("friction 0.3", "friction -0.1"),
+         ["friction -0.1", "[0, 1e6]"]),
+        ("unloading", wall(more="unloading late;"),
+         ["unloading late", "hard"]),
+        ("outside", wall(more="outside guess;"), ["outside guess", "hold"]),
+        ("nu", patches("yMin { particle { E 7e10; nu 0.5; } wall { E 2e11;"
+                       " nu 0.3; } workOfAdhesion 0.1; alpha 1; friction"
+                       " 0.1; }", LID), ["nu", "0.5", "(-1, 0.5)"]),
+        ("range", wall("alpha 1.1891;", "alpha { type polynomial; coeffs"
+                       " (1 -0.5); range (0.2 0.9); }"),
+         ["restitution of alpha(e) 0.2", "capture"]),
+        ("calibrated", wall("alpha 1.1891;", "alpha { type calibrated; file"
+                            ' "data"; }'), ["diameter"]),
+        ("layerWork", wall(more="layer { modulus 1e10; }"),
+         ["workOfAdhesion"]),
+        ("layerModulus", wall(more="layer { workOfAdhesion 0.1; }"),
+         ["modulus"]),
+        ("layerNegative", wall(more="layer { modulus 1e10; workOfAdhesion"
+                               " -2; }"), ["workOfAdhesion", "-2"]),
+        ("coupling", wall(more="layer { modulus 1e10; workOfAdhesion 0.1;"
+                          " coupling none; }"), ["coupling none", "oneWay"]),
+        ("hardLayer", wall(more="unloading hard; layer { modulus 1e10;"
+                           " workOfAdhesion 0.1; }"),
+         ["unloading hard", "soft"]),
+        ("layerAlpha", wall("alpha 1.1891;", "alpha { type polynomial;"
+                            " coeffs (1 -0.5); }",
+                            "layer { modulus 1e10; workOfAdhesion 0.1; }"),
+         ["alpha"]),
+        ("classes", wall() + " sizeClasses (2e-5 1e-5);",
+         ["sizeClasses 1e-05", "(2e-05, inf)"]),
+        ("seed", wall() + " seed 0.5;", ["seed 0.5", "0 to 9e15"]),
+        ("twoClasses", None, ["sizeClasses", "another model"]),
+        ("steady", wall(), ["transient", "yes"]),
+    ]
+    for name, coeffs, words in rows:
+        case = new("bad")
+        if name == "twoClasses":
+            write_plate(case, "multiInteraction", f"""
+oneInteractionOnly true;
+a {{ patchInteractionModel jkrAdhesion; jkrAdhesionCoeffs {{
+    {patches(f'yMin {{ {WALL} }}')} }} }}
+b {{ patchInteractionModel jkrAdhesion; jkrAdhesionCoeffs {{
+    {patches('yMax { type escape; }')} sizeClasses (1e-5); }} }}""",
+                        [fall(1.0)])
+        else:
+            write_plate(case, "jkrAdhesion", coeffs,
+                        [] if name == "steady" else [fall(1.0)])
+        if name == "steady":
+            edit(case, f"constant/{CLOUD}Properties", "transient yes;",
+                 "transient no; calcFrequency 1; maxTrackTime 1;")
+        mesh(case)
+        status, text = run(case, SOLVER)
+        missing = [w for w in ["FOAM FATAL IO ERROR", *words]
+                   if w not in text]
+        verdict(f"refuses_{name}", status and not missing
+                and "\nTime = " not in text,
+                f"lacks {missing} in: {complaint(text)}" if missing
+                else words[0])
+
+    # A speed beyond the data of alpha(e) comes up during the run only
+    law = ("alpha { type polynomial; coeffs (0.5 -0.2); range (0 0.3); }"
+           " outside %s;")
+    for outside in ("refuse", "hold"):
+        case = new("beyond")
+        write_plate(case, "jkrAdhesion",
+                    wall("alpha 1.1891;", law % outside), [fall(50.0)],
+                    end=4e-4)
+        mesh(case)
+        status, text = run(case, SOLVER)
+        good = (status == 0 if outside == "hold" else status
+                and "up to e = 0.3" in text and "50 m/s" in text)
+        if outside == "hold" and good:
+            U = all_parcels(case, "0.0004", "U")[2][0]
+            e = restitution(0.44, 50/separation_speed(D))
+            good = abs(U[0, 1]/50 - e) < 5e-5
+        verdict(f"beyondData_{outside}", good, complaint(text)
+                if outside == "refuse" else "keeps the last alpha")
+
+
+check_bare()
+check_layer()
+check_oblique()
+check_ranks()
+check_bad_input()
