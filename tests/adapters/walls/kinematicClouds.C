@@ -38,7 +38,7 @@ protected:
     {
         SCOPED_TRACE(m.model);
         writeCloud("sand", m.model, withPlate(m.settings));
-        open();
+        openMesh();
         const volVectorField U(velocity());
         const volScalarField rho(uniform("rho", dimDensity, 1));
         const volScalarField mu(uniform("mu", dimDynamicViscosity, 1e-5));
@@ -86,7 +86,7 @@ TEST_F(kinematicWallModels, publishWhatTheCoreSays)
             " restitutionSpeed 0.3; friction 0.02;"
         )
     );
-    open();
+    openMesh();
     const volVectorField U(velocity());
     const volScalarField rho(uniform("rho", dimDensity, 1));
     const volScalarField mu(uniform("mu", dimDynamicViscosity, 1e-5));
@@ -141,7 +141,7 @@ TEST_F(kinematicWallModels, tellTheTimeWithinSubCycles)
         " youngsModulus 1e-6; poissonsRatio 0.3; alpha 0; b 1.5; mu 0;"
         " cohesionEnergyDensity 0; } }"
     );
-    open();
+    openMesh();
     const volVectorField U(velocity());
     const volScalarField rho(uniform("rho", dimDensity, 1));
     const volScalarField mu(uniform("mu", dimDynamicViscosity, 1e-5));
@@ -192,7 +192,7 @@ TEST_F(kinematicWallModels, tellTheTimeWithinSubCycles)
 TEST_F(kinematicWallModels, keyDrawsOnTheImpact)
 {
     writeCloud("sand", allModels[2].model, withPlate(allModels[2].settings));
-    open();
+    openMesh();
     const volVectorField U(velocity());
     const volScalarField rho(uniform("rho", dimDensity, 1));
     const volScalarField mu(uniform("mu", dimDynamicViscosity, 1e-5));
@@ -250,7 +250,7 @@ TEST_F(kinematicWallModels, reportWithinMultiInteraction)
         " semiEmpiricalReboundCoeffs { patches ( sides { type capture; }"
         " inlet { type escape; } ); } }"
     );
-    open();
+    openMesh();
     const volVectorField U(velocity());
     const volScalarField rho(uniform("rho", dimDensity, 1));
     const volScalarField mu(uniform("mu", dimDynamicViscosity, 1e-5));
@@ -290,7 +290,7 @@ TEST_F(kinematicWallModels, takeTheAnnotatedDictionaries)
         OStringStream text;
         dict.subDict(coeffs).write(text, false);
         writeCloud("sand", m.model, text.str());
-        open();
+        openMesh();
         const volVectorField U(velocity());
         const volScalarField rho(uniform("rho", dimDensity, 1));
         const volScalarField mu(uniform("mu", dimDynamicViscosity, 1e-5));
