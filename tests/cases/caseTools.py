@@ -232,3 +232,17 @@ def same_bits(case, other, time, names="p T U rho"):
             if not np.array_equal(
                 read_field(os.path.join(case, time, n)),
                 read_field(os.path.join(other, time, n)))]
+
+
+# -------------------------------------------------------- laws written anew
+
+def hard_sphere(V, w, n, r, e, f):
+    """Page of the source in vectors; independent of the code under test."""
+    V, w, n = (np.asarray(x, float) for x in (V, w, n))
+    vn = V @ n
+    slip = V - vn*n + np.cross(w, -r*n)
+    slip -= (slip @ n)*n
+    s = np.linalg.norm(slip)
+    Jn = -(1 + e)*vn
+    Jt = -f*Jn*slip/s if f*Jn < 2/7*s else -2/7*slip
+    return V + Jn*n + Jt, w + 2.5/r**2*np.cross(-r*n, Jt)

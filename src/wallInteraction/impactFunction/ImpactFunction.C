@@ -3,9 +3,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "ImpactFunction.H"
-#include "Time.H"
 #include "impactMeasures.H"
 #include "impactPatches.H"
+#include "impactTime.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -118,13 +118,6 @@ Foam::ImpactFunction<CloudType, Recorder>::postPatch
     const label patchi = pp.index();
     if (published_ && patches_[patchi] && !published_->published(patchi))
     {
-        // Colliding clouds track in parts of the step
-        const Time& time = this->owner().time();
-        const TimeState& step =
-            time.subCycling()
-          ? time.prevTimeState()
-          : static_cast<const TimeState&>(time);
-
         vector nw;
         vector Uw;
         this->owner().patchData(p, pp, nw, Uw);
@@ -134,8 +127,7 @@ Foam::ImpactFunction<CloudType, Recorder>::postPatch
         i.face = pp.whichFace(p.face());
         i.origProc = p.origProc();
         i.origId = p.origId();
-        i.time =
-            step.value() - (1 - p.currentTimeFraction())*step.deltaTValue();
+        i.time = impactTime(p);
         i.position = p.position();
         i.n = -nw;
         i.Uw = Uw;

@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "ParcelWallModel.H"
+#include "impactTime.H"
 
 // * * * * * * * * * * * * * ParcelWallReport * * * * * * * * * * * * * * * * //
 
@@ -35,7 +36,6 @@ void Foam::ParcelWallModel<CloudType>::publish
     const bool captured
 )
 {
-    const Time& time = this->owner().db().time();
     const scalar mass = p.mass();
 
     wallImpact impact;
@@ -43,8 +43,7 @@ void Foam::ParcelWallModel<CloudType>::publish
     impact.face = pp.whichFace(p.face());
     impact.origProc = p.origProc();
     impact.origId = p.origId();
-    impact.time =
-        time.value() - (1 - p.currentTimeFraction())*time.deltaTValue();
+    impact.time = impactTime(p);
     impact.position = p.position();
     impact.n = fromCore(hit.n);
     impact.Uw = hit.Uw;

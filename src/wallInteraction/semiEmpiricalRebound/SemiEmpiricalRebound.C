@@ -11,25 +11,15 @@ Foam::SemiEmpiricalRebound<CloudType>::SemiEmpiricalRebound
     CloudType& owner
 )
 :
-    ParcelWallModel<CloudType>
+    SphereRebound<CloudType, impact::semiEmpiricalRebound>
     (
         dict,
         owner,
         typeName,
+        reboundEntries::semiEmpirical,
         {"rolling impacts", "outside of coefficients", "energy-gaining"}
-    ),
-    laws_(),
-    lawOf_(this->patches().size(), -1)
-{
-    forAll(lawOf_, i)
-    {
-        if (this->fate(i) == ParcelWallModel<CloudType>::fateType::rebound)
-        {
-            lawOf_[i] = label(laws_.size());
-            laws_.push_back(reboundEntries::semiEmpirical(this->patches()[i]));
-        }
-    }
-}
+    )
+{}
 
 
 template<class CloudType>
@@ -40,22 +30,14 @@ bool Foam::SemiEmpiricalRebound<CloudType>::correct
     bool& keepParticle
 )
 {
-    wallHit hit;
-    if (!this->arrive(p, pp, keepParticle, hit))
-    {
-        return hit.handled;
-    }
-
-    impact::sphereState s = {hit.V0, toCore(hit.omega0)};
-    hit.rotation0 = impact::sphereRotationalEnergy(hit.radius, s.omega);
-    const auto outcome =
-        laws_[lawOf_[hit.setting]].rebound(hit.n, hit.radius, s);
-    hit.V1 = s.V;
-    hit.omega1 = s.omega;
-    hit.rotation1 = impact::sphereRotationalEnergy(hit.radius, s.omega);
-    this->special(pp, 0) += outcome.rolls;
-    this->special(pp, 1) += outcome.outside;
-    this->special(pp, 2) += outcome.gains;
-    this->leave(p, pp, hit);
-    return true;
+    return this->rebound
+    (
+        p, pp, keepParticle,
+        [&](const auto& outcome)
+        {
+            this->special(pp, 0) += outcome.rolls;
+            this->special(pp, 1) += outcome.outside;
+            this->special(pp, 2) += outcome.gains;
+        }
+    );
 }

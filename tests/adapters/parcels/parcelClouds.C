@@ -9,18 +9,15 @@ Description
 
 #include "IFstream.H"
 #include "OFstream.H"
-#include "OSspecific.H"
-#include "Time.H"
 #include "basicKinematicCloud.H"
+#include "channelTest.H"
 #include "fluidThermo.H"
-#include "fvMesh.H"
 #include "hendersonDrag.H"
 #include "kinematicParcelCloud.H"
 #include "parcelClouds.H"
 
 #include <gtest/gtest.h>
 #include <cstdlib>
-#include <filesystem>
 #include <memory>
 
 using namespace Foam;
@@ -31,46 +28,20 @@ namespace
 //- The case of tests/cases/particles, in a folder of its own
 class parcelCloudsTest
 :
-    public ::testing::Test
+    public channelTest
 {
 protected:
 
-    fileName root_;
-    autoPtr<Time> time_;
-    autoPtr<fvMesh> mesh_;
     autoPtr<fluidThermo> thermo_;
     autoPtr<volScalarField> rho_;
     autoPtr<volVectorField> U_;
-
-    void SetUp() override
-    {
-        std::string name
-        (
-            std::filesystem::temp_directory_path()/"parcelImpactXXXXXX"
-        );
-        ASSERT_TRUE(mkdtemp(&name[0]));
-        root_ = name;
-        const std::string source
-        (
-            std::string(std::getenv("PARCEL_IMPACT_DIR"))
-          + "/tests/cases/particles/case/."
-        );
-        const std::string command
-        (
-            "cp -r " + source + " " + root_ + "/case && cd " + root_
-          + "/case && cp -r 0.orig 0 && blockMesh > log.blockMesh 2>&1"
-        );
-        ASSERT_EQ(std::system(command.c_str()), 0);
-    }
 
     void TearDown() override
     {
         U_.clear();
         rho_.clear();
         thermo_.clear();
-        mesh_.clear();
-        time_.clear();
-        rmDir(root_);
+        channelTest::TearDown();
     }
 
     fileName path(const char* name) const
@@ -111,20 +82,7 @@ protected:
     //- Mesh and gas
     void open()
     {
-        time_.reset(new Time(Time::controlDictName, root_, "case"));
-        mesh_.reset
-        (
-            new fvMesh
-            (
-                IOobject
-                (
-                    fvMesh::defaultRegion,
-                    time_->timeName(),
-                    time_(),
-                    IOobject::MUST_READ
-                )
-            )
-        );
+        openMesh();
         thermo_.reset(fluidThermo::New(mesh_()).ptr());
         rho_.reset
         (

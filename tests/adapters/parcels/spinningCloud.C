@@ -10,18 +10,15 @@ Description
 #include "HendersonDragForce.H"
 #include "IFstream.H"
 #include "OFstream.H"
-#include "OSspecific.H"
-#include "Time.H"
 #include "basicSpinningCloud.H"
+#include "channelTest.H"
 #include "fluidThermo.H"
-#include "fvMesh.H"
 #include "parcelClouds.H"
 #include "wallCounters.H"
 #include "wallLayer.H"
 
 #include <gtest/gtest.h>
 #include <cstdlib>
-#include <filesystem>
 #include <memory>
 
 using namespace Foam;
@@ -35,35 +32,15 @@ const char* const embedded =
 //- The case of tests/cases/particles with one spinning cloud
 class spinningCloudTest
 :
-    public ::testing::Test
+    public channelTest
 {
 protected:
 
-    fileName root_;
-    autoPtr<Time> time_;
-    autoPtr<fvMesh> mesh_;
     autoPtr<fluidThermo> thermo_;
     autoPtr<volScalarField> rho_;
     autoPtr<volVectorField> U_;
     autoPtr<volScalarField> mu_;
     dimensionedVector g_{"g", dimAcceleration, vector(0, 0, 0)};
-
-    void SetUp() override
-    {
-        std::string name
-        (
-            std::filesystem::temp_directory_path()/"parcelImpactXXXXXX"
-        );
-        ASSERT_TRUE(mkdtemp(&name[0]));
-        root_ = name;
-        const std::string command
-        (
-            "cp -r " + std::string(std::getenv("PARCEL_IMPACT_DIR"))
-          + "/tests/cases/particles/case/. " + root_ + "/case && cd " + root_
-          + "/case && cp -r 0.orig 0 && blockMesh > log.blockMesh 2>&1"
-        );
-        ASSERT_EQ(std::system(command.c_str()), 0);
-    }
 
     void TearDown() override
     {
@@ -71,9 +48,7 @@ protected:
         U_.clear();
         rho_.clear();
         thermo_.clear();
-        mesh_.clear();
-        time_.clear();
-        rmDir(root_);
+        channelTest::TearDown();
     }
 
     static dictionary parse(const std::string& text)
@@ -90,21 +65,8 @@ protected:
         const scalar deltaT = 1e-6
     )
     {
-        time_.reset(new Time(Time::controlDictName, root_, "case"));
+        openMesh();
         time_->setDeltaT(deltaT);
-        mesh_.reset
-        (
-            new fvMesh
-            (
-                IOobject
-                (
-                    fvMesh::defaultRegion,
-                    time_->timeName(),
-                    time_(),
-                    IOobject::MUST_READ
-                )
-            )
-        );
         thermo_.reset(fluidThermo::New(mesh_()).ptr());
         rho_.reset
         (

@@ -9,26 +9,23 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "OFstream.H"
-#include "OSspecific.H"
-#include "Time.H"
+#include "channelTest.H"
 #include "convexCells.H"
 #include "counterRandom.H"
 #include "polyMesh.H"
 
 #include <gtest/gtest.h>
 #include <cstdlib>
-#include <filesystem>
 
 using namespace Foam;
 using impact::vector3;
 
 class convexCellsTest
 :
-    public ::testing::Test
+    public folderTest
 {
 protected:
 
-    fileName root_;
     autoPtr<Time> time_;
     autoPtr<polyMesh> mesh_;
 
@@ -46,12 +43,7 @@ protected:
     //- 4 x 4 x 4 cells, cyclic in x, a wall at the end of z
     void SetUp() override
     {
-        std::string name
-        (
-            std::filesystem::temp_directory_path()/"parcelImpactXXXXXX"
-        );
-        ASSERT_TRUE(mkdtemp(&name[0]));
-        root_ = name;
+        folderTest::SetUp();
         mkDir(root_/"case"/"system");
         mkDir(root_/"case"/"constant");
         writeFile
@@ -98,7 +90,7 @@ protected:
     {
         mesh_.clear();
         time_.clear();
-        rmDir(root_);
+        folderTest::TearDown();
     }
 
     //- Move the point in the middle: its faces warp

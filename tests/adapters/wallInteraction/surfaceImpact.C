@@ -10,17 +10,14 @@ Description
 
 #include "IFstream.H"
 #include "OFstream.H"
-#include "OSspecific.H"
 #include "PublishingWall.H"
 #include "SurfaceImpact.H"
-#include "Time.H"
 #include "basicKinematicCloud.H"
 #include "basicKinematicCollidingCloud.H"
-#include "fvMesh.H"
+#include "channelTest.H"
 
 #include <gtest/gtest.h>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <map>
 #include <memory>
@@ -43,42 +40,20 @@ typedef std::map<std::string, std::string> row;
 //- The channel of tests/cases/particles, without gas forces
 class surfaceImpactTest
 :
-    public ::testing::Test
+    public channelTest
 {
 protected:
 
-    fileName root_;
-    autoPtr<Time> time_;
-    autoPtr<fvMesh> mesh_;
     autoPtr<volScalarField> rho_;
     autoPtr<volVectorField> U_;
     autoPtr<volScalarField> mu_;
-
-    void SetUp() override
-    {
-        std::string name
-        (
-            std::filesystem::temp_directory_path()/"parcelImpactXXXXXX"
-        );
-        ASSERT_TRUE(mkdtemp(&name[0]));
-        root_ = name;
-        const std::string command
-        (
-            "cp -r " + std::string(std::getenv("PARCEL_IMPACT_DIR"))
-          + "/tests/cases/particles/case/. " + root_ + "/case && cd " + root_
-          + "/case && cp -r 0.orig 0 && blockMesh > log.blockMesh 2>&1"
-        );
-        ASSERT_EQ(std::system(command.c_str()), 0);
-    }
 
     void TearDown() override
     {
         mu_.clear();
         U_.clear();
         rho_.clear();
-        mesh_.clear();
-        time_.clear();
-        rmDir(root_);
+        channelTest::TearDown();
     }
 
     //- The cloud's dictionary with a rake of parcels and changes
@@ -119,20 +94,7 @@ protected:
 
     void open()
     {
-        time_.reset(new Time(Time::controlDictName, root_, "case"));
-        mesh_.reset
-        (
-            new fvMesh
-            (
-                IOobject
-                (
-                    fvMesh::defaultRegion,
-                    time_->timeName(),
-                    time_(),
-                    IOobject::MUST_READ
-                )
-            )
-        );
+        openMesh();
         rho_ = field("rho", dimensionedScalar("", dimDensity, 1));
         U_ = field("U", dimensionedVector(dimVelocity, Zero));
         mu_ = field

@@ -38,7 +38,7 @@ protected:
     {
         SCOPED_TRACE(m.model);
         writeCloud("sand", m.model, withPlate(m.settings));
-        open();
+        openMesh();
         const volVectorField U(velocity());
         const volScalarField rho(uniform("rho", dimDensity, 1));
         const volScalarField mu(uniform("mu", dimDynamicViscosity, 1e-5));
@@ -107,7 +107,7 @@ TEST_F(kinematicWallModels, publishWhatTheCoreSays)
             " restitutionSpeed 0.3; friction 0.02;"
         )
     );
-    open();
+    openMesh();
     const volVectorField U(velocity());
     const volScalarField rho(uniform("rho", dimDensity, 1));
     const volScalarField mu(uniform("mu", dimDynamicViscosity, 1e-5));
@@ -144,10 +144,76 @@ TEST_F(kinematicWallModels, publishWhatTheCoreSays)
 }
 
 
+TEST_F(kinematicWallModels, tellTheTimeWithinSubCycles)
+{
+    // The colliding cloud moves in sub-cycles of the step, by the stiffness of
+    // its pairs; the springs of the walls are too soft to matter
+    writeCloud
+    (
+        "sand", "hardSphereWall",
+        withPlate("restitution 0.7; friction 0.2;"), "",
+        "collisionModel pairCollision; pairCollisionCoeffs {"
+        " maxInteractionDistance 2e-5; writeReferredParticleCloud no;"
+        " pairModel pairSpringSliderDashpot; pairSpringSliderDashpotCoeffs {"
+        " useEquivalentSize no; alpha 0; b 1.5; mu 0;"
+        " cohesionEnergyDensity 0; collisionResolutionSteps 12; }"
+        " wallModel wallSpringSliderDashpot; wallSpringSliderDashpotCoeffs {"
+        " useEquivalentSize no; collisionResolutionSteps 12;"
+        " youngsModulus 1e-6; poissonsRatio 0.3; alpha 0; b 1.5; mu 0;"
+        " cohesionEnergyDensity 0; } }"
+    );
+    openMesh();
+    const volVectorField U(velocity());
+    const volScalarField rho(uniform("rho", dimDensity, 1));
+    const volScalarField mu(uniform("mu", dimDynamicViscosity, 1e-5));
+    basicKinematicCollidingCloud cloud("sand", rho, U, mu, noGravity());
+    const auto& mesh = mesh_();
+    const scalar before[] = {2e-4, 4.5e-4, 1.7e-3};
+    for (label i = 0; i < 3; ++i)
+    {
+        // No injector: those move their parcels beside the sub-cycles
+        const point start(0.1 - before[i], 0.01 + 0.005*i, 5e-4);
+        auto* p = new basicKinematicCollidingCloud::parcelType
+        (
+            mesh, start, mesh.findCell(start)
+        );
+        p->origProc() = 7;
+        p->origId() = i;
+        p->d() = 2e-5;
+        p->rho() = 2500;
+        p->nParticle() = 1;
+        p->U() = vector(1000, 0, 0);
+        cloud.addParticle(p);
+    }
+    cloud.injectors().clear();
+
+    recordingListener listener;
+    wallImpacts& impacts = wallImpacts::New(cloud);
+    impacts.add(listener);
+    for (label step = 0; step < 2; ++step)
+    {
+        ASSERT_GT(cloud.collision().nSubCycles(), 3);
+        (*time_)++;
+        cloud.evolve();
+    }
+    impacts.remove(listener);
+    label found = 0;
+    for (const wallImpact& i : listener.impacts)
+    {
+        if (i.origProc == 7)
+        {
+            EXPECT_NEAR(i.time, before[i.origId]/1000, 1e-13);
+            ++found;
+        }
+    }
+    EXPECT_EQ(found, 3);
+}
+
+
 TEST_F(kinematicWallModels, keyDrawsOnTheImpact)
 {
     writeCloud("sand", allModels[2].model, withPlate(allModels[2].settings));
-    open();
+    openMesh();
     const volVectorField U(velocity());
     const volScalarField rho(uniform("rho", dimDensity, 1));
     const volScalarField mu(uniform("mu", dimDynamicViscosity, 1e-5));
@@ -205,7 +271,7 @@ TEST_F(kinematicWallModels, reportWithinMultiInteraction)
         " semiEmpiricalReboundCoeffs { patches ( sides { type capture; }"
         " inlet { type escape; } ); } }"
     );
-    open();
+    openMesh();
     const volVectorField U(velocity());
     const volScalarField rho(uniform("rho", dimDensity, 1));
     const volScalarField mu(uniform("mu", dimDynamicViscosity, 1e-5));
@@ -245,7 +311,7 @@ TEST_F(kinematicWallModels, takeTheAnnotatedDictionaries)
         OStringStream text;
         dict.subDict(coeffs).write(text, false);
         writeCloud("sand", m.model, text.str());
-        open();
+        openMesh();
         const volVectorField U(velocity());
         const volScalarField rho(uniform("rho", dimDensity, 1));
         const volScalarField mu(uniform("mu", dimDynamicViscosity, 1e-5));

@@ -10,15 +10,17 @@ Description
     constant/wallModelCost names models: a list of (name dictionary), each
     dictionary with patchInteractionModel, its coefficients, and 'calls'.
     Parcels of different identities sit on the patch 'plate' and strike it
-    again and again with velocity U0; the models take turns, five times, and
-    the least time of each counts. Prints name, microseconds per call and
-    microseconds above stock rebound, which must be the first.
+    again and again at each of 'incidences' (degrees) with 'speed'; the models
+    take turns, five times, and the least time of each counts. Prints name,
+    incidence, microseconds per call and microseconds above stock rebound,
+    which must be the first.
 \*---------------------------------------------------------------------------*/
 
 #include "IFstream.H"
 #include "argList.H"
 #include "basicKinematicCollidingCloud.H"
 #include "fvMesh.H"
+#include "unitConversion.H"
 #include "volFields.H"
 
 #include <ctime>
@@ -80,7 +82,8 @@ int main(int argc, char* argv[])
 
     IFstream is(time.constant()/"wallModelCost");
     const dictionary list(is);
-    const vector U0(list.get<vector>("U0"));
+    const scalarList incidences(list.get<scalarList>("incidences"));
+    const scalar speed(list.get<scalar>("speed"));
     const scalar d(list.get<scalar>("d"));
     typedef basicKinematicCollidingCloud cloudType;
     typedef cloudType::parcelType parcelType;
@@ -97,6 +100,7 @@ int main(int argc, char* argv[])
 
     // Parcels on their way to the plate, brought to it
     PtrList<parcelType> parcels;
+    PtrList<parcelType> atPlate;
     const point start(list.get<point>("start"));
     for (label i = 0; i < 64; ++i)
     {
@@ -118,35 +122,47 @@ int main(int argc, char* argv[])
         p.rho() = 2500;
         p.nParticle() = 1;
         p.active(true);
+        atPlate.append(new parcelType(p));
     }
 
     const polyPatch& pp = mesh.boundaryMesh()[plate];
-    scalarList best(clouds.size(), GREAT);
-    for (label turn = 0; turn < 5; ++turn)
+    for (const scalar incidence : incidences)
     {
+        const scalar angle = degToRad(incidence);
+        const vector U0(speed*vector(Foam::cos(angle), -Foam::sin(angle), 0));
+        scalarList best(clouds.size(), GREAT);
+        for (label turn = 0; turn < 5; ++turn)
+        {
+            forAll(clouds, c)
+            {
+                auto& model = clouds[c].patchInteraction();
+                bool keep = true;
+                const double begin = cpuSeconds();
+                for (label i = 0; i < calls[c]; ++i)
+                {
+                    parcelType& p = parcels[i & 63];
+                    p.U() = U0;
+                    p.angularMomentum() = Zero;
+                    p.origId() = turn*calls[c] + i;
+                    model.correct(p, pp, keep);
+
+                    // One that was left sliding has been lifted off the plate
+                    if (!p.onBoundaryFace())
+                    {
+                        parcels.set(i & 63, new parcelType(atPlate[i & 63]));
+                    }
+                }
+                best[c] = min(best[c], 1e6*(cpuSeconds() - begin)/calls[c]);
+            }
+        }
         forAll(clouds, c)
         {
-            auto& model = clouds[c].patchInteraction();
-            bool keep = true;
-            const double begin = cpuSeconds();
-            for (label i = 0; i < calls[c]; ++i)
-            {
-                parcelType& p = parcels[i & 63];
-                p.U() = U0;
-                p.angularMomentum() = Zero;
-                p.origId() = turn*calls[c] + i;
-                model.correct(p, pp, keep);
-            }
-            best[c] = min(best[c], 1e6*(cpuSeconds() - begin)/calls[c]);
+            std::printf
+            (
+                "RESULT %s %g %.4f %.4f\n",
+                names[c].c_str(), incidence, best[c], best[c] - best[0]
+            );
         }
-    }
-    forAll(clouds, c)
-    {
-        std::printf
-        (
-            "RESULT %s %.4f %.4f\n",
-            names[c].c_str(), best[c], best[c] - best[0]
-        );
     }
     return 0;
 }

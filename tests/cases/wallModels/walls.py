@@ -9,8 +9,8 @@ import sys
 
 import numpy as np
 
-from caseTools import (complaint, copy_case, decompose, edit, must, run,
-                       times_of, verdict, write_foam)
+from caseTools import (complaint, copy_case, decompose, edit, hard_sphere,
+                       must, run, times_of, verdict, write_foam)
 from plate import (OPEN, SOLVER, counters, injector, mesh, parcels, solve,
                    write_plate)
 
@@ -46,18 +46,6 @@ def new(name):
 
 
 # ------------------------------------------------------- laws of one sphere
-
-def hard_sphere(V, w, n, r, e, f):
-    """Page of the source in vectors; independent of the code under test."""
-    V, w, n = (np.asarray(x, float) for x in (V, w, n))
-    vn = V @ n
-    slip = V - vn*n + np.cross(w, -r*n)
-    slip -= (slip @ n)*n
-    s = np.linalg.norm(slip)
-    Jn = -(1 + e)*vn
-    Jt = -f*Jn*slip/s if f*Jn < 2/7*s else -2/7*slip
-    return V + Jn*n + Jt, w + 2.5/r**2*np.cross(-r*n, Jt)
-
 
 def falcon(v, e0, v0):
     return 1 - (1 - e0)*(v/v0)**0.2 if v <= v0 else e0*(v/v0)**-0.25
@@ -313,9 +301,13 @@ def closed(name, model, settings, velocity=(150, -80, 60), **more):
 
 
 def check_ranks():
-    for model, settings in (
-            ("nonSphericalRebound", NON_SPHERICAL),
-            ("hardSphereWall", "restitution 0.8; friction 0.3;")):
+    table = (f'method tabulated; table "{os.path.abspath("table.csv")}";'
+             " incidenceRange (15 21);")
+    for name, model, settings in (
+            ("direct", "nonSphericalRebound", NON_SPHERICAL),
+            ("tabulated", "nonSphericalRebound", NON_SPHERICAL + table),
+            ("hardSphere", "hardSphereWall",
+             "restitution 0.8; friction 0.3;")):
         whole = closed("straight", model,
                        patches(f"{ALL_WALLS} {{ {settings} }}"))
         log = solve(whole)
@@ -331,10 +323,10 @@ def check_ranks():
         log2 = solve(ranks, 2)
         got = parcels(ranks, "0.002", "U", "angularMomentum")
         same = [np.array_equal(a, b) for a, b in zip(reference, got)]
-        verdict(f"ranks_{model}", all(same) and hits > 1000,
+        verdict(f"ranks_{name}", all(same) and hits > 1000,
                 f"{hits:.0f} impacts; identities, U, spin the same: {same}")
         a, b = counters(log), counters(log2)
-        verdict(f"ranks_counters_{model}",
+        verdict(f"ranks_counters_{name}",
                 all(np.allclose(a[k], b[k], rtol=1e-12) for k in a), str(b))
 
         half = closed("halfway", model,
@@ -344,10 +336,10 @@ def check_ranks():
         log3 = solve(half)
         got = parcels(half, "0.002", "U", "angularMomentum")
         same = [np.array_equal(a, b) for a, b in zip(reference, got)]
-        verdict(f"restart_{model}", all(same),
+        verdict(f"restart_{name}", all(same),
                 f"identities, U, spin bit by bit: {same}")
         c = counters(log3)
-        verdict(f"restart_counters_{model}",
+        verdict(f"restart_counters_{name}",
                 all(np.allclose(a[k], c[k], rtol=1e-12) for k in a), str(c))
 
 

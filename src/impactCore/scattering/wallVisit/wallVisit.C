@@ -237,11 +237,16 @@ public:
                 const double dx = X[j] - X[i];
 
                 // From its lower end; an edge bounds the shadow if one of its
-                // faces looks up along Z and the other down
+                // faces looks up along Z and the other down.
+                // The gap along it stays above the parabola of the bend
+                // -8 sag through both ends, whose least value is
+                // G_i - (bow - rise)^2/(4 bow) if it lies between them
+                const double rise = G[j] - G[i];
+                const double bow = 4*sag*dx*dx;
                 if
                 (
-                    G[j] < G[i] || (G[j] == G[i] && j < i)
-                 || G[i] - sag*dx*dx >= out.gap || dx == 0
+                    rise < 0 || (rise == 0 && j < i) || rise >= bow
+                 || 4*bow*(G[i] - out.gap) >= (bow - rise)*(bow - rise)
                  || dot(ez_, normals[e->faces[0]])
                    *dot(ez_, normals[e->faces[1]]) > 0
                 )
