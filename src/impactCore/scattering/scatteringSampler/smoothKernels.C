@@ -594,6 +594,156 @@ impactInline double stepToZero(double g, double r, double q)
 }
 
 
+//- Lanes that are worked on together: short loops over a few of them, one
+//  after the other, keep the arithmetic busy where one long loop would wait
+//  for its own results
+constexpr int lanesAtOnce = 64;
+
+
+//- What the loops of guess() hand on
+struct hopScratch
+{
+    typedef double lane[lanesAtOnce];
+
+    lane m[3], w[3], rate[3];   // normal, angular velocity; rate of normal
+    lane B[3], C[3];            // of hopRotation
+    lane turn, turnAlong;       // rates of precession
+    lane y, Vy, t, longest, slow, comes;
+};
+
+
+template<int axis>
+impactInline void guessSetup
+(
+    int n,
+    const smoothBody& b,
+    const smoothHops& __restrict__ h,
+    int from,
+    hopScratch& __restrict__ q
+)
+{
+    const double J0 = b.J[0], J1 = b.J[1], J2 = b.J[2];
+    const double across = axis == 0 ? J1 : J0;
+    const double along = axis == 0 ? J0 : axis == 1 ? J1 : J2;
+    const double ratio = 1 - along/across;
+    const double inverse = 1/across;
+    const double R = b.radius;
+    for (int j = 0; j < n; ++j)
+    {
+        const int i = from + j;
+        const vector3 m = {h.ey[0][i], h.ey[1][i], h.ey[2][i]};
+        const vector3 w = {h.w[0][i], h.w[1][i], h.w[2][i]};
+        const double Vy = h.V[1][i];
+        const double J[3] = {J0, J1, J2};
+        const hopRotation r(w, m, J, ratio, inverse, axis);
+        const double turning = r.rate + std::fabs(r.rateAxis);
+        const double longest = 2/(turning + 1e-60*std::fabs(Vy)/R + 1e-100);
+        const vector3 p = cross(m, w);
+        q.m[0][j] = m.x;
+        q.m[1][j] = m.y;
+        q.m[2][j] = m.z;
+        q.w[0][j] = w.x;
+        q.w[1][j] = w.y;
+        q.w[2][j] = w.z;
+        q.rate[0][j] = p.x;
+        q.rate[1][j] = p.y;
+        q.rate[2][j] = p.z;
+        q.B[0][j] = r.B.x;
+        q.B[1][j] = r.B.y;
+        q.B[2][j] = r.B.z;
+        q.C[0][j] = r.C.x;
+        q.C[1][j] = r.C.y;
+        q.C[2][j] = r.C.z;
+        q.turn[j] = r.rate;
+        q.turnAlong[j] = r.rateAxis;
+        q.y[j] = h.y[i];
+        q.Vy[j] = Vy;
+        q.t[j] = longest;
+        q.longest[j] = longest;
+        q.slow[j] = 1e-12*(std::fabs(Vy) + turning*R) + 1e-100;
+        q.comes[j] = 1;
+    }
+}
+
+
+//- Were the normal m(t) in body components linear in time, with m' = m x w,
+//  the height of the lowest corner were concave and made of straight pieces:
+//  a step of Newton's from a later time towards where it comes down
+impactInline void guessStraight
+(
+    int n,
+    const smoothBody& b,
+    hopScratch& __restrict__ q
+)
+{
+    const double a[3] = {b.a[0], b.a[1], b.a[2]};
+    for (int j = 0; j < n; ++j)
+    {
+        const double t = q.t[j];
+        const vector3 p = {q.rate[0][j], q.rate[1][j], q.rate[2][j]};
+        const vector3 m =
+        {
+            q.m[0][j] + t*p.x, q.m[1][j] + t*p.y, q.m[2][j] + t*p.z
+        };
+        const vector3 s = signedHalf(a, m);
+        const double height = q.y[j] + q.Vy[j]*t - dot(s, m);
+        const double fall = dot(s, p) - q.Vy[j];
+        const double next = t + height/(std::fabs(fall) + q.slow[j]);
+        q.t[j] = (height <= 0) & (fall > 0) & (next > 0) ? next : t;
+    }
+}
+
+
+//- A step with the rotation itself, in a series good to 1e-5
+template<int axis>
+impactInline void guessTurning
+(
+    int n,
+    const smoothBody& b,
+    hopScratch& __restrict__ q
+)
+{
+    const double a[3] = {b.a[0], b.a[1], b.a[2]};
+    for (int j = 0; j < n; ++j)
+    {
+        const double t = q.t[j];
+        const double x = q.turn[j]*t, x2 = x*x;
+        const double s = x*(1 - x2*(1./6 - x2*(1./120 - x2*(1./5040
+          - x2*(1./362880)))));
+        const double c = x2*(0.5 - x2*(1./24 - x2*(1./720
+          - x2*(1./40320 - x2*(1./3628800)))));
+        vector3 m =
+        {
+            q.m[0][j] + (s*q.C[0][j] - c*q.B[0][j]),
+            q.m[1][j] + (s*q.C[1][j] - c*q.B[1][j]),
+            q.m[2][j] + (s*q.C[2][j] - c*q.B[2][j])
+        };
+        vector3 w = {q.w[0][j], q.w[1][j], q.w[2][j]};
+        const double rateAxis = q.turnAlong[j];
+        if (axis < 3)
+        {
+            const double f = rateAxis*t, f2 = f*f;
+            const double sf =
+               -f*(1 - f2*(1./6 - f2*(1./120 - f2*(1./5040))));
+            const double cf = 1 - f2*(0.5 - f2*(1./24 - f2*(1./720
+              - f2*(1./40320))));
+            turnAxis<axis>(sf, cf, m.x, m.y, m.z);
+            turnAxis<axis>(sf, cf, w.x, w.y, w.z);
+        }
+        const vector3 rate = cross(m, w);
+        const vector3 bend =
+            cross(rate, w) + cross(m, spinRate<axis>(rateAxis, w));
+        const vector3 half = signedHalf(a, m);
+        const double g = q.y[j] + q.Vy[j]*t - dot(half, m);
+        const double r = q.Vy[j] - dot(half, rate);
+        const double next = t + stepToZero(g, r, -dot(half, bend));
+        const bool comes = (r < 0) & (next > 0) & (next < q.longest[j]);
+        q.t[j] = comes ? next : t;
+        q.comes[j] = comes ? 1. : 0.;
+    }
+}
+
+
 template<int axis>
 impactInline void guess
 (
@@ -604,80 +754,30 @@ impactInline void guess
     smoothHops& __restrict__ h
 )
 {
-    const double a[3] = {b.a[0], b.a[1], b.a[2]};
-    const double J[3] = {b.J[0], b.J[1], b.J[2]};
-    const double across = axis == 0 ? J[1] : J[0];
-    const double along = axis == 0 ? J[0] : axis == 1 ? J[1] : J[2];
-    const double ratio = 1 - along/across;
-    const double inverse = 1/across;
     const double R = b.radius;
     const double beyond = decide ? 1.03 : 1;
-    for (int i = from; i < to; ++i)
+    hopScratch q;
+    for (int first = from; first < to; first += lanesAtOnce)
     {
-        const vector3 m0 = {h.ey[0][i], h.ey[1][i], h.ey[2][i]};
-        const vector3 w0 = {h.w[0][i], h.w[1][i], h.w[2][i]};
-        const double Vy = h.V[1][i];
-        const double y = h.y[i];
-        const hopRotation q(w0, m0, J, ratio, inverse, axis);
-        const double turning = q.rate + std::fabs(q.rateAxis);
-        const double longest = 2/(turning + 1e-60*std::fabs(Vy)/R + 1e-100);
-        const double slow = 1e-12*(std::fabs(Vy) + turning*R) + 1e-100;
+        const int n = to - first < lanesAtOnce ? to - first : lanesAtOnce;
+        guessSetup<axis>(n, b, h, first, q);
+        guessStraight(n, b, q);
+        guessStraight(n, b, q);
+        guessStraight(n, b, q);
+        guessTurning<axis>(n, b, q);
+        guessTurning<axis>(n, b, q);
 
-        // Were the normal m(t) in body components linear in time, with
-        // m' = m x w, the height of the lowest corner were concave and
-        // made of straight pieces: Newton from a later time finds where it
-        // comes down to the wall
-        const vector3 p = cross(m0, w0);
-        double t = longest;
-        #pragma GCC unroll 3
-        for (int n = 0; n < 3; ++n)
+        // Those that seem not to strike: until they are out of reach
+        for (int j = 0; j < n; ++j)
         {
-            const vector3 m = m0 + t*p;
-            const vector3 s = signedHalf(a, m);
-            const double height = y + Vy*t - dot(s, m);
-            const double fall = dot(s, p) - Vy;
-            const double next = t + height/(std::fabs(fall) + slow);
-            t = (height <= 0) & (fall > 0) & (next > 0) ? next : t;
+            const double t = q.t[j];
+            const double out =
+                (R - q.y[j])/(positivePart(q.Vy[j]) + q.slow[j]);
+            const bool strikes = (q.comes[j] > 0) & (t < out);
+            const double end = strikes ? beyond*t : out;
+            h.t[first + j] = end < q.longest[j] ? end : q.longest[j];
+            h.outcome[first + j] = strikes ? hopOutcome::nearly : hopOutcome::open;
         }
-
-        // Two steps with the rotation itself, in a series good to 1e-5
-        bool comes = true;
-        #pragma GCC unroll 2
-        for (int n = 0; n < 2; ++n)
-        {
-            const double x = q.rate*t, x2 = x*x;
-            const double s = x*(1 - x2*(1./6 - x2*(1./120 - x2*(1./5040
-              - x2/362880))));
-            const double c = 1 - x2*(0.5 - x2*(1./24 - x2*(1./720
-              - x2*(1./40320 - x2/3628800))));
-            vector3 m = q.before(s, c);
-            vector3 w = w0;
-            if (axis < 3)
-            {
-                const double f = q.rateAxis*t, f2 = f*f;
-                const double sf = -f*(1 - f2*(1./6 - f2*(1./120 - f2/5040)));
-                const double cf = 1 - f2*(0.5 - f2*(1./24 - f2*(1./720
-                  - f2/40320)));
-                turnAxis<axis>(sf, cf, m.x, m.y, m.z);
-                turnAxis<axis>(sf, cf, w.x, w.y, w.z);
-            }
-            const vector3 rate = cross(m, w);
-            const vector3 bend =
-                cross(rate, w) + cross(m, spinRate<axis>(q.rateAxis, w));
-            const vector3 half = signedHalf(a, m);
-            const double g = y + Vy*t - dot(half, m);
-            const double r = Vy - dot(half, rate);
-            const double next = t + stepToZero(g, r, -dot(half, bend));
-            comes = (r < 0) & (next > 0) & (next < longest);
-            t = comes ? next : t;
-        }
-
-        // Those that seem not to: until they are out of reach
-        const double out = (R - y)/(positivePart(Vy) + slow);
-        const bool strikes = comes & (t < out);
-        const double end = strikes ? beyond*t : out;
-        h.t[i] = end < longest ? end : longest;
-        h.outcome[i] = strikes ? hopOutcome::nearly : hopOutcome::open;
     }
 }
 
