@@ -14,6 +14,12 @@ namespace
 
 using namespace impact;
 
+//- Lanes that are worked on together: short loops over a few of them, one
+//  after the other, keep the arithmetic busy where one long loop would wait
+//  for its own results
+constexpr int lanesAtOnce = 64;
+
+
 //- Lowest point of the body, and its distance below the centre; m is the
 //  laboratory axis y in body components
 impactInline double lowest
@@ -206,6 +212,178 @@ impactInline void touchAny(int n, const smoothBody& b, smoothLanes& l)
     else
     {
         touchVertices(n, b, l);
+    }
+}
+
+
+//- What the loops of meetStill() hand on
+struct drawScratch
+{
+    double u0[lanesAtOnce], u1[lanesAtOnce], u2[lanesAtOnce];
+};
+
+
+//- Arrival and first impact of bodies that do not turn before it. All of them
+//  approach alike: with V the velocity and n the normal, the change of velocity
+//  at the contact point is the same in laboratory components
+template<orientationLaw law, bool ellipsoid>
+impactInline void meetStill
+(
+    std::uint64_t seed,
+    std::int64_t first,
+    int n,
+    const double* V,
+    const smoothBody& b,
+    smoothLanes& __restrict__ l
+)
+{
+    const double a0 = b.a[0], a1 = b.a[1], a2 = b.a[2];
+    const double J0 = b.J[0], J1 = b.J[1], J2 = b.J[2];
+    const double V0 = V[0], V1 = V[1];
+    const double along = (b.tangential - 1)*V0;
+    const double away = -(1 + b.normal)*V1;
+    const double needed = 1e-12*0.5*(V0*V0 + V1*V1);
+    drawScratch q_;
+    for (int from = 0; from < n; from += lanesAtOnce)
+    {
+        const int m = n - from < lanesAtOnce ? n - from : lanesAtOnce;
+        for (int j = 0; j < m; ++j)
+        {
+            std::uint64_t w0, w1, w2, w3;
+            philoxLane
+            (
+                seed, 0, drawPurpose::orientation,
+                std::uint64_t(first + from + j), w0, w1, w2, w3
+            );
+            double u0, u1, u2;
+            threeUnits(w0, w1, w2, w3, u0, u1, u2);
+            q_.u0[j] = u0;
+            q_.u1[j] = u1;
+            q_.u2[j] = u2;
+        }
+        for (int j = 0; j < m; ++j)
+        {
+            const int i = from + j;
+            vector3 ex, ey;
+            orient<law>(q_.u0[j], q_.u1[j], q_.u2[j], ex, ey);
+            const vector3 ez = cross(ex, ey);
+            vector3 r;
+            lowest(ellipsoid, a0, a1, a2, ey.x, ey.y, ey.z, r.x, r.y, r.z);
+            const vector3 dVc = along*ex + away*ey;
+
+            // As in smoothImpact()
+            const double r2 = dot(r, r);
+            const double dx = J0 + r2, dy = J1 + r2, dz = J2 + r2;
+            const double px = dy*dz, py = dz*dx, pz = dx*dy;
+            const double inverse = 1/(dx*px);
+            const vector3 M = cross(r, dVc);
+            const vector3 q = {px*M.x, py*M.y, pz*M.z};
+            const vector3 d = {px*r.x, py*r.y, pz*r.z};
+            const double rest = J0*r.x*d.x + J1*r.y*d.y + J2*r.z*d.z;
+            const double f = dot(r, q)*r2/rest;
+            const vector3 w =
+            {
+                inverse*(q.x + f*d.x),
+                inverse*(q.y + f*d.y),
+                inverse*(q.z + f*d.z)
+            };
+            const vector3 lever = cross(w, r);
+            const double dV0 = along - dot(lever, ex);
+            const double dV1 = away - dot(lever, ey);
+            const double dV2 = -dot(lever, ez);
+            const double spin = J0*w.x*w.x + J1*w.y*w.y + J2*w.z*w.z;
+            const double change = V0*dV0 + V1*dV1
+              + 0.5*(dV0*dV0 + dV1*dV1 + dV2*dV2 + spin);
+            l.ex[0][i] = ex.x;
+            l.ex[1][i] = ex.y;
+            l.ex[2][i] = ex.z;
+            l.ey[0][i] = ey.x;
+            l.ey[1][i] = ey.y;
+            l.ey[2][i] = ey.z;
+            l.r[0][i] = r.x;
+            l.r[1][i] = r.y;
+            l.r[2][i] = r.z;
+            l.w[0][i] = w.x;
+            l.w[1][i] = w.y;
+            l.w[2][i] = w.z;
+            l.V[0][i] = V0 + dV0;
+            l.V[1][i] = V1 + dV1;
+            l.V[2][i] = dV2;
+            l.approach[i] = -V1;
+            l.pulling[i] = dV1 < 0 ? 1. : 0.;
+            l.gaining[i] = change > needed ? 1. : 0.;
+        }
+    }
+}
+
+
+//- The same of a sphere, whose orientation is of no account
+impactInline void meetSphere
+(
+    int n,
+    const double* V,
+    const smoothBody& b,
+    smoothLanes& __restrict__ l
+)
+{
+    // All alike: w = f r x dVc, r below the centre
+    const double a = b.a[0], J = b.J[0];
+    const double along = (b.tangential - 1)*V[0];
+    const double away = -(1 + b.normal)*V[1];
+    const double wz = a*along/(J + a*a);
+    const double dV0 = along - wz*a, dV1 = away;
+    const double change = V[0]*dV0 + V[1]*dV1
+      + 0.5*(dV0*dV0 + dV1*dV1 + J*wz*wz);
+    const double V0 = V[0] + dV0, V1 = V[1] + dV1;
+    const double gaining =
+        change > 1e-12*0.5*(V[0]*V[0] + V[1]*V[1]) ? 1. : 0.;
+    const double approach = -V[1], pulling = dV1 < 0 ? 1. : 0.;
+    for (int i = 0; i < n; ++i)
+    {
+        l.ex[0][i] = 1;
+        l.ex[1][i] = 0;
+        l.ex[2][i] = 0;
+        l.ey[0][i] = 0;
+        l.ey[1][i] = 1;
+        l.ey[2][i] = 0;
+        l.r[0][i] = 0;
+        l.r[1][i] = -a;
+        l.r[2][i] = 0;
+        l.w[0][i] = 0;
+        l.w[1][i] = 0;
+        l.w[2][i] = wz;
+        l.V[0][i] = V0;
+        l.V[1][i] = V1;
+        l.V[2][i] = 0;
+        l.approach[i] = approach;
+        l.pulling[i] = pulling;
+        l.gaining[i] = gaining;
+    }
+}
+
+
+template<orientationLaw law>
+impactInline void meetAny
+(
+    std::uint64_t seed,
+    std::int64_t first,
+    int n,
+    const double* V,
+    const smoothBody& b,
+    smoothLanes& l
+)
+{
+    if (b.axis == 3 && b.ellipsoid)
+    {
+        meetSphere(n, V, b, l);
+    }
+    else if (b.ellipsoid)
+    {
+        meetStill<law, true>(seed, first, n, V, b, l);
+    }
+    else
+    {
+        meetStill<law, false>(seed, first, n, V, b, l);
     }
 }
 
@@ -594,12 +772,6 @@ impactInline double stepToZero(double g, double r, double q)
 }
 
 
-//- Lanes that are worked on together: short loops over a few of them, one
-//  after the other, keep the arithmetic busy where one long loop would wait
-//  for its own results
-constexpr int lanesAtOnce = 64;
-
-
 //- What the loops of guess() hand on
 struct hopScratch
 {
@@ -959,6 +1131,28 @@ impactKernel void smoothArrive
         arrive<orientationLaw::uniformEuler>(seed, first, n, V, spin, l);
     }
     touchAny(n, b, l);
+}
+
+
+impactKernel void smoothMeet
+(
+    bool isotropic,
+    std::uint64_t seed,
+    std::int64_t first,
+    int n,
+    const double V[3],
+    const smoothBody& b,
+    smoothLanes& l
+)
+{
+    if (isotropic)
+    {
+        meetAny<orientationLaw::isotropic>(seed, first, n, V, b, l);
+    }
+    else
+    {
+        meetAny<orientationLaw::uniformEuler>(seed, first, n, V, b, l);
+    }
 }
 
 

@@ -154,6 +154,7 @@ void impact::scatteringSampler::sampleSmooth
     const double small = 1e-3*mag(V1_);
     const double V[3] = {V1_.x, V1_.y, V1_.z};
     const double spin[3] = {setup_.spin.x, setup_.spin.y, setup_.spin.z};
+    const bool still = mag(setup_.spin) == 0 && !smooth_.vertices;
     const vector3& J = setup_.body.inertia();
     visitCounts total;
     smoothLanes& l = w.lanes;
@@ -439,12 +440,21 @@ void impact::scatteringSampler::sampleSmooth
     for (int from = 0; from < n; from += smoothBatch)
     {
         const int m = std::min(smoothBatch, n - from);
-        smoothArrive
-        (
-            setup_.orientation == orientationLaw::isotropic, setup_.seed,
-            first + from, m, V, spin, smooth_, l
-        );
-        smoothImpact(m, smooth_, l);
+        const bool isotropic =
+            setup_.orientation == orientationLaw::isotropic;
+        if (still)
+        {
+            smoothMeet
+                (isotropic, setup_.seed, first + from, m, V, smooth_, l);
+        }
+        else
+        {
+            smoothArrive
+            (
+                isotropic, setup_.seed, first + from, m, V, spin, smooth_, l
+            );
+            smoothImpact(m, smooth_, l);
+        }
         total.into += tally(l, m);
         for (int i = 0; i < m; ++i)
         {
