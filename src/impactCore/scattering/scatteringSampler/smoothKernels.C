@@ -948,7 +948,8 @@ impactInline void guess
             const bool strikes = (q.comes[j] > 0) & (t < out);
             const double end = strikes ? beyond*t : out;
             h.t[first + j] = end < q.longest[j] ? end : q.longest[j];
-            h.outcome[first + j] = strikes ? hopOutcome::nearly : hopOutcome::open;
+            h.outcome[first + j] =
+                strikes ? hopOutcome::nearly : hopOutcome::open;
         }
     }
 }
@@ -1052,8 +1053,9 @@ impactInline void land
         }
         else
         {
-            // To the contact itself, if it is so close that the series of second
-            // degree is exact, and no corner can change its place with another
+            // To the contact itself, if it is so close that the series of
+            // second degree is exact, and no corner can change its place with
+            // another
             const vector3 dw = spinRate<axis>(q.rateAxis, w);
             const vector3 bend = cross(rate, w) + cross(m, dw);
             const double step = stepToZero(g, r, -dot(half, bend));

@@ -144,7 +144,15 @@ void impact::scatteringSampler::sampleSmooth
     scatteringStatistics& result
 ) const
 {
-    if (setup_.law.law() != reboundLaw::lawType::restitution)
+    // A body that turns as it arrives meets the wall in some orientations
+    // more often than in others, as often as its lowest point approaches fast:
+    // its flight down to the wall must be followed
+    const bool still = mag(setup_.spin) == 0;
+    if
+    (
+        setup_.law.law() != reboundLaw::lawType::restitution
+     || !(still || setup_.body.isSphere())
+    )
     {
         sampleRough(first, n, w, result);
         return;
@@ -154,7 +162,6 @@ void impact::scatteringSampler::sampleSmooth
     const double small = 1e-3*mag(V1_);
     const double V[3] = {V1_.x, V1_.y, V1_.z};
     const double spin[3] = {setup_.spin.x, setup_.spin.y, setup_.spin.z};
-    const bool still = mag(setup_.spin) == 0 && !smooth_.vertices;
     const vector3& J = setup_.body.inertia();
     visitCounts total;
     smoothLanes& l = w.lanes;
@@ -263,7 +270,7 @@ void impact::scatteringSampler::sampleSmooth
     // The lanes of again rebound
     auto strike = [&](int m, const int* particles, const int* contacts)
     {
-        smoothImpact((m + 7) & ~7, smooth_, again);
+        smoothImpact(m, smooth_, again);
         tally(again, m);
         for (int i = 0; i < m; ++i)
         {
@@ -442,7 +449,7 @@ void impact::scatteringSampler::sampleSmooth
         const int m = std::min(smoothBatch, n - from);
         const bool isotropic =
             setup_.orientation == orientationLaw::isotropic;
-        if (still)
+        if (still && !smooth_.vertices)
         {
             smoothMeet
                 (isotropic, setup_.seed, first + from, m, V, smooth_, l);
