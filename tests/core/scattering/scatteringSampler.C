@@ -245,9 +245,9 @@ TEST(scatteringSampler, treatsAFlatReliefAsASmoothWall)
 
 TEST(scatteringSampler, followsManyBodiesAsTheGeneralSearchFollowsOne)
 {
-    // The kernels of the random relief against wallVisit, whose first
-    // contact a brute-force search checks: the same particles, so that only
-    // what round-off turns into another bounce may differ
+    // The kernels of smooth walls and random relief against wallVisit, whose
+    // first contact a brute-force search checks: the same particles, so that
+    // only what round-off turns into another bounce may differ
     struct variant
     {
         convexBody body;
@@ -296,6 +296,28 @@ TEST(scatteringSampler, followsManyBodiesAsTheGeneralSearchFollowsOne)
             brick, 15, still, exit, reboundLaw::restitution(0.5, 0.5), steep
         }
     );
+
+    // On the smooth wall, whose kernels take boxes to the end of a hop at once
+    const std::shared_ptr<const relief> smooth;
+    for (const convexBody& body : {brick, cube, plate, needle, egg, lens})
+    {
+        for (const auto treatment : {exit, once})
+        {
+            variants.push_back({body, 15, still, treatment, usual, smooth});
+        }
+        variants.push_back({body, 45, {1e6, -2e6, 3e6}, exit, usual, smooth});
+        if (body.isBox())
+        {
+            variants.push_back({body, 2, still, exit, usual, smooth});
+        }
+        variants.push_back
+        (
+            {
+                body, 60, {0, 2e6, -1e6}, exit,
+                reboundLaw::restitution(0.5, 0.3), smooth
+            }
+        );
+    }
     for (std::size_t k = 0; k < variants.size(); ++k)
     {
         const variant& v = variants[k];

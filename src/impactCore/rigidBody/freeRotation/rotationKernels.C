@@ -6,6 +6,8 @@
 
 #include "rotationKernels.H"
 
+#include <cstring>
+
 namespace impact
 {
 
@@ -20,21 +22,34 @@ impactKernel void rotationSeries
     // rows of both in the order in which they are multiplied
     constexpr int width = 8;
     constexpr int most = 32;
-    const int left[2][width] =
-        {{1, 2, 0, 4, 5, 3, 7, 8}, {2, 0, 1, 5, 3, 4, 6, 6}};
-    const int right[2][width] =
-        {{8, 6, 7, 8, 6, 7, 8, 6}, {7, 8, 6, 7, 8, 6, 7, 7}};
     typedef double row __attribute__((vector_size(width*sizeof(double))));
+    typedef long long placesOf
+        __attribute__((vector_size(width*sizeof(long long))));
+
+    // Places of c[0 ... 7]; 8 is that of c[8]
+    const placesOf inA = {1, 2, 0, 4, 5, 3, 7, 8};
+    const placesOf inB = {2, 0, 1, 5, 3, 4, 6, 6};
+    const placesOf inP = {8, 6, 7, 8, 6, 7, 8, 6};
+    const placesOf inQ = {7, 8, 6, 7, 8, 6, 7, 7};
+    const row factor = {1, 1, 1, 1, 1, 1, k[0], k[1]};
+    const row both = {1, 1, 1, 1, 1, 1, 0, 0};
     row a[most], b[most], p[most], q[most];
+    row now;
+    std::memcpy(&now, c[0], sizeof(now));
+    double last = c[0][8];
     for (int n = 0; n < order; ++n)
     {
-        for (int v = 0; v < width; ++v)
-        {
-            a[n][v] = c[n][left[0][v]];
-            b[n][v] = c[n][left[1][v]];
-            p[n][v] = c[n][right[0][v]];
-            q[n][v] = c[n][right[1][v]];
-        }
+        const row last8 =
+            {last, last, last, last, last, last, last, last};
+        const row an = __builtin_shuffle(now, last8, inA);
+        const row bn = __builtin_shuffle(now, last8, inB);
+        const row pn = __builtin_shuffle(now, last8, inP);
+        const row qn = __builtin_shuffle(now, last8, inQ);
+        a[n] = an;
+        b[n] = bn;
+        p[n] = pn;
+        q[n] = qn;
+
         // Sums of every other term: they do not wait for each other. The
         // rows just made come last
         row d = {}, e = {}, d2 = {}, e2 = {};
@@ -53,21 +68,18 @@ impactKernel void rotationSeries
         }
         if (n > 0)
         {
-            d2 += a[0]*p[n];
-            e2 += b[0]*q[n];
+            d2 += a[0]*pn;
+            e2 += b[0]*qn;
         }
-        d += a[n]*p[0];
-        e += b[n]*q[0];
+        d += an*p[0];
+        e += bn*q[0];
         d += d2;
         e += e2;
         const double f = 1./(n + 1);
-        for (int v = 0; v < 6; ++v)
-        {
-            c[n + 1][v] = f*(d[v] - e[v]);
-        }
-        c[n + 1][6] = f*k[0]*d[6];
-        c[n + 1][7] = f*k[1]*d[7];
-        c[n + 1][8] = f*k[2]*e[6];
+        now = (f*factor)*(d - both*e);
+        last = f*k[2]*e[6];
+        std::memcpy(c[n + 1], &now, sizeof(now));
+        c[n + 1][8] = last;
     }
 }
 

@@ -109,6 +109,7 @@ impact::scatteringSampler::scatteringSampler(const setup& s)
     smooth_.normal = s.law.normal();
     smooth_.tangential = s.law.tangential();
     vectorFlights_ = simple && body.symmetryAxis() >= 0;
+    hops_ = vectorFlights_ && body.isBox();
 
     if (setup_.wall && setup_.wall->type() == relief::reliefType::rough)
     {

@@ -14,6 +14,12 @@ namespace
 
 using namespace impact;
 
+//- Lanes that are worked on together: short loops over a few of them, one
+//  after the other, keep the arithmetic busy where one long loop would wait
+//  for its own results
+constexpr int lanesAtOnce = 64;
+
+
 //- Lowest point of the body, and its distance below the centre; m is the
 //  laboratory axis y in body components
 impactInline double lowest
@@ -206,6 +212,178 @@ impactInline void touchAny(int n, const smoothBody& b, smoothLanes& l)
     else
     {
         touchVertices(n, b, l);
+    }
+}
+
+
+//- What the loops of meetStill() hand on
+struct drawScratch
+{
+    double u0[lanesAtOnce], u1[lanesAtOnce], u2[lanesAtOnce];
+};
+
+
+//- Arrival and first impact of bodies that do not turn before it. All of them
+//  approach alike: with V the velocity and n the normal, the change of velocity
+//  at the contact point is the same in laboratory components
+template<orientationLaw law, bool ellipsoid>
+impactInline void meetStill
+(
+    std::uint64_t seed,
+    std::int64_t first,
+    int n,
+    const double* V,
+    const smoothBody& b,
+    smoothLanes& __restrict__ l
+)
+{
+    const double a0 = b.a[0], a1 = b.a[1], a2 = b.a[2];
+    const double J0 = b.J[0], J1 = b.J[1], J2 = b.J[2];
+    const double V0 = V[0], V1 = V[1];
+    const double along = (b.tangential - 1)*V0;
+    const double away = -(1 + b.normal)*V1;
+    const double needed = 1e-12*0.5*(V0*V0 + V1*V1);
+    drawScratch q_;
+    for (int from = 0; from < n; from += lanesAtOnce)
+    {
+        const int m = n - from < lanesAtOnce ? n - from : lanesAtOnce;
+        for (int j = 0; j < m; ++j)
+        {
+            std::uint64_t w0, w1, w2, w3;
+            philoxLane
+            (
+                seed, 0, drawPurpose::orientation,
+                std::uint64_t(first + from + j), w0, w1, w2, w3
+            );
+            double u0, u1, u2;
+            threeUnits(w0, w1, w2, w3, u0, u1, u2);
+            q_.u0[j] = u0;
+            q_.u1[j] = u1;
+            q_.u2[j] = u2;
+        }
+        for (int j = 0; j < m; ++j)
+        {
+            const int i = from + j;
+            vector3 ex, ey;
+            orient<law>(q_.u0[j], q_.u1[j], q_.u2[j], ex, ey);
+            const vector3 ez = cross(ex, ey);
+            vector3 r;
+            lowest(ellipsoid, a0, a1, a2, ey.x, ey.y, ey.z, r.x, r.y, r.z);
+            const vector3 dVc = along*ex + away*ey;
+
+            // As in smoothImpact()
+            const double r2 = dot(r, r);
+            const double dx = J0 + r2, dy = J1 + r2, dz = J2 + r2;
+            const double px = dy*dz, py = dz*dx, pz = dx*dy;
+            const double inverse = 1/(dx*px);
+            const vector3 M = cross(r, dVc);
+            const vector3 q = {px*M.x, py*M.y, pz*M.z};
+            const vector3 d = {px*r.x, py*r.y, pz*r.z};
+            const double rest = J0*r.x*d.x + J1*r.y*d.y + J2*r.z*d.z;
+            const double f = dot(r, q)*r2/rest;
+            const vector3 w =
+            {
+                inverse*(q.x + f*d.x),
+                inverse*(q.y + f*d.y),
+                inverse*(q.z + f*d.z)
+            };
+            const vector3 lever = cross(w, r);
+            const double dV0 = along - dot(lever, ex);
+            const double dV1 = away - dot(lever, ey);
+            const double dV2 = -dot(lever, ez);
+            const double spin = J0*w.x*w.x + J1*w.y*w.y + J2*w.z*w.z;
+            const double change = V0*dV0 + V1*dV1
+              + 0.5*(dV0*dV0 + dV1*dV1 + dV2*dV2 + spin);
+            l.ex[0][i] = ex.x;
+            l.ex[1][i] = ex.y;
+            l.ex[2][i] = ex.z;
+            l.ey[0][i] = ey.x;
+            l.ey[1][i] = ey.y;
+            l.ey[2][i] = ey.z;
+            l.r[0][i] = r.x;
+            l.r[1][i] = r.y;
+            l.r[2][i] = r.z;
+            l.w[0][i] = w.x;
+            l.w[1][i] = w.y;
+            l.w[2][i] = w.z;
+            l.V[0][i] = V0 + dV0;
+            l.V[1][i] = V1 + dV1;
+            l.V[2][i] = dV2;
+            l.approach[i] = -V1;
+            l.pulling[i] = dV1 < 0 ? 1. : 0.;
+            l.gaining[i] = change > needed ? 1. : 0.;
+        }
+    }
+}
+
+
+//- The same of a sphere, whose orientation is of no account
+impactInline void meetSphere
+(
+    int n,
+    const double* V,
+    const smoothBody& b,
+    smoothLanes& __restrict__ l
+)
+{
+    // All alike: w = f r x dVc, r below the centre
+    const double a = b.a[0], J = b.J[0];
+    const double along = (b.tangential - 1)*V[0];
+    const double away = -(1 + b.normal)*V[1];
+    const double wz = a*along/(J + a*a);
+    const double dV0 = along - wz*a, dV1 = away;
+    const double change = V[0]*dV0 + V[1]*dV1
+      + 0.5*(dV0*dV0 + dV1*dV1 + J*wz*wz);
+    const double V0 = V[0] + dV0, V1 = V[1] + dV1;
+    const double gaining =
+        change > 1e-12*0.5*(V[0]*V[0] + V[1]*V[1]) ? 1. : 0.;
+    const double approach = -V[1], pulling = dV1 < 0 ? 1. : 0.;
+    for (int i = 0; i < n; ++i)
+    {
+        l.ex[0][i] = 1;
+        l.ex[1][i] = 0;
+        l.ex[2][i] = 0;
+        l.ey[0][i] = 0;
+        l.ey[1][i] = 1;
+        l.ey[2][i] = 0;
+        l.r[0][i] = 0;
+        l.r[1][i] = -a;
+        l.r[2][i] = 0;
+        l.w[0][i] = 0;
+        l.w[1][i] = 0;
+        l.w[2][i] = wz;
+        l.V[0][i] = V0;
+        l.V[1][i] = V1;
+        l.V[2][i] = 0;
+        l.approach[i] = approach;
+        l.pulling[i] = pulling;
+        l.gaining[i] = gaining;
+    }
+}
+
+
+template<orientationLaw law>
+impactInline void meetAny
+(
+    std::uint64_t seed,
+    std::int64_t first,
+    int n,
+    const double* V,
+    const smoothBody& b,
+    smoothLanes& l
+)
+{
+    if (b.axis == 3 && b.ellipsoid)
+    {
+        meetSphere(n, V, b, l);
+    }
+    else if (b.ellipsoid)
+    {
+        meetStill<law, true>(seed, first, n, V, b, l);
+    }
+    else
+    {
+        meetStill<law, false>(seed, first, n, V, b, l);
     }
 }
 
@@ -514,6 +692,420 @@ impactInline void begin
     }
 }
 
+//- The rotation of a hop: with the angles theta = rate t of precession and
+//  phi = rateAxis t about the axis of symmetry, the normal of the wall in
+//  body components is A + B cos(theta) + C sin(theta), turned by -phi
+struct hopRotation
+{
+    vector3 w, k, A, B, C;
+    double rate, rateAxis;
+
+    impactInline hopRotation
+    (
+        const vector3& spin,
+        const vector3& normal,
+        const double J[3],
+        double ratio,
+        double inverseAcross,
+        int axis
+    )
+    {
+        w = spin;
+        const vector3 L = {J[0]*w.x, J[1]*w.y, J[2]*w.z};
+        const double size = std::sqrt(dot(L, L));
+        k = (1/nonZero(size))*L;
+        rate = size*inverseAcross;
+        rateAxis = axis == 3 ? 0 : ratio*(axis == 0 ? w.x : axis == 1 ? w.y
+          : w.z);
+        A = dot(k, normal)*k;
+        B = normal - A;
+        C = cross(normal, k);
+    }
+
+    impactInline vector3 before(double s, double c) const
+    {
+        return
+        {
+            A.x + (c*B.x + s*C.x), A.y + (c*B.y + s*C.y),
+            A.z + (c*B.z + s*C.z)
+        };
+    }
+};
+
+
+//- Time derivative of the angular velocity w of a body that turns freely
+template<int axis>
+impactInline vector3 spinRate(double rateAxis, const vector3& w)
+{
+    return axis == 0 ? vector3{0, rateAxis*w.z, -rateAxis*w.y}
+      : axis == 1 ? vector3{-rateAxis*w.z, 0, rateAxis*w.x}
+      : axis == 2 ? vector3{rateAxis*w.y, -rateAxis*w.x, 0}
+      : vector3{0, 0, 0};
+}
+
+
+//- Half sizes with the signs of the lowest corner's depth below the centre
+impactInline vector3 signedHalf(const double a[3], const vector3& m)
+{
+    return
+    {
+        m.x < 0 ? -a[0] : a[0], m.y < 0 ? -a[1] : a[1],
+        m.z < 0 ? -a[2] : a[2]
+    };
+}
+
+
+//- Depth of the lowest corner of a box below its centre
+impactInline double boxDepth(const double a[3], const vector3& m)
+{
+    return a[0]*std::fabs(m.x) + a[1]*std::fabs(m.y) + a[2]*std::fabs(m.z);
+}
+
+
+//- Step to the zero of g + r x + q x^2/2 next to x = 0, r < 0
+impactInline double stepToZero(double g, double r, double q)
+{
+    // Halley's; never more than twice that of Newton
+    const double r2 = r*r;
+    const double rest = 2*r2 - g*q;
+    return -2*g*r/(nonZero(rest > r2 ? rest : r2));
+}
+
+
+//- What the loops of guess() hand on
+struct hopScratch
+{
+    typedef double lane[lanesAtOnce];
+
+    lane m[3], w[3], rate[3];   // normal, angular velocity; rate of normal
+    lane B[3], C[3];            // of hopRotation
+    lane turn, turnAlong;       // rates of precession
+    lane y, Vy, t, longest, slow, comes;
+};
+
+
+template<int axis>
+impactInline void guessSetup
+(
+    int n,
+    const smoothBody& b,
+    const smoothHops& __restrict__ h,
+    int from,
+    hopScratch& __restrict__ q
+)
+{
+    const double J0 = b.J[0], J1 = b.J[1], J2 = b.J[2];
+    const double across = axis == 0 ? J1 : J0;
+    const double along = axis == 0 ? J0 : axis == 1 ? J1 : J2;
+    const double ratio = 1 - along/across;
+    const double inverse = 1/across;
+    const double R = b.radius;
+    for (int j = 0; j < n; ++j)
+    {
+        const int i = from + j;
+        const vector3 m = {h.ey[0][i], h.ey[1][i], h.ey[2][i]};
+        const vector3 w = {h.w[0][i], h.w[1][i], h.w[2][i]};
+        const double Vy = h.V[1][i];
+        const double J[3] = {J0, J1, J2};
+        const hopRotation r(w, m, J, ratio, inverse, axis);
+        const double turning = r.rate + std::fabs(r.rateAxis);
+        const double longest = 2/(turning + 1e-60*std::fabs(Vy)/R + 1e-100);
+        const vector3 p = cross(m, w);
+        q.m[0][j] = m.x;
+        q.m[1][j] = m.y;
+        q.m[2][j] = m.z;
+        q.w[0][j] = w.x;
+        q.w[1][j] = w.y;
+        q.w[2][j] = w.z;
+        q.rate[0][j] = p.x;
+        q.rate[1][j] = p.y;
+        q.rate[2][j] = p.z;
+        q.B[0][j] = r.B.x;
+        q.B[1][j] = r.B.y;
+        q.B[2][j] = r.B.z;
+        q.C[0][j] = r.C.x;
+        q.C[1][j] = r.C.y;
+        q.C[2][j] = r.C.z;
+        q.turn[j] = r.rate;
+        q.turnAlong[j] = r.rateAxis;
+        q.y[j] = h.y[i];
+        q.Vy[j] = Vy;
+        q.t[j] = longest;
+        q.longest[j] = longest;
+        q.slow[j] = 1e-12*(std::fabs(Vy) + turning*R) + 1e-100;
+        q.comes[j] = 1;
+    }
+}
+
+
+//- Were the normal m(t) in body components linear in time, with m' = m x w,
+//  the height of the lowest corner were concave and made of straight pieces:
+//  a step of Newton's from a later time towards where it comes down
+impactInline void guessStraight
+(
+    int n,
+    const smoothBody& b,
+    hopScratch& __restrict__ q
+)
+{
+    const double a[3] = {b.a[0], b.a[1], b.a[2]};
+    for (int j = 0; j < n; ++j)
+    {
+        const double t = q.t[j];
+        const vector3 p = {q.rate[0][j], q.rate[1][j], q.rate[2][j]};
+        const vector3 m =
+        {
+            q.m[0][j] + t*p.x, q.m[1][j] + t*p.y, q.m[2][j] + t*p.z
+        };
+        const vector3 s = signedHalf(a, m);
+        const double height = q.y[j] + q.Vy[j]*t - dot(s, m);
+        const double fall = dot(s, p) - q.Vy[j];
+        const double next = t + height/(std::fabs(fall) + q.slow[j]);
+        q.t[j] = (height <= 0) & (fall > 0) & (next > 0) ? next : t;
+    }
+}
+
+
+//- A step with the rotation itself, in a series good to 1e-5
+template<int axis>
+impactInline void guessTurning
+(
+    int n,
+    const smoothBody& b,
+    hopScratch& __restrict__ q
+)
+{
+    const double a[3] = {b.a[0], b.a[1], b.a[2]};
+    for (int j = 0; j < n; ++j)
+    {
+        const double t = q.t[j];
+        const double x = q.turn[j]*t, x2 = x*x;
+        const double s = x*(1 - x2*(1./6 - x2*(1./120 - x2*(1./5040
+          - x2*(1./362880)))));
+        const double c = x2*(0.5 - x2*(1./24 - x2*(1./720
+          - x2*(1./40320 - x2*(1./3628800)))));
+        vector3 m =
+        {
+            q.m[0][j] + (s*q.C[0][j] - c*q.B[0][j]),
+            q.m[1][j] + (s*q.C[1][j] - c*q.B[1][j]),
+            q.m[2][j] + (s*q.C[2][j] - c*q.B[2][j])
+        };
+        vector3 w = {q.w[0][j], q.w[1][j], q.w[2][j]};
+        const double rateAxis = q.turnAlong[j];
+        if (axis < 3)
+        {
+            const double f = rateAxis*t, f2 = f*f;
+            const double sf =
+               -f*(1 - f2*(1./6 - f2*(1./120 - f2*(1./5040))));
+            const double cf = 1 - f2*(0.5 - f2*(1./24 - f2*(1./720
+              - f2*(1./40320))));
+            turnAxis<axis>(sf, cf, m.x, m.y, m.z);
+            turnAxis<axis>(sf, cf, w.x, w.y, w.z);
+        }
+        const vector3 rate = cross(m, w);
+        const vector3 bend =
+            cross(rate, w) + cross(m, spinRate<axis>(rateAxis, w));
+        const vector3 half = signedHalf(a, m);
+        const double g = q.y[j] + q.Vy[j]*t - dot(half, m);
+        const double r = q.Vy[j] - dot(half, rate);
+        const double next = t + stepToZero(g, r, -dot(half, bend));
+        const bool comes = (r < 0) & (next > 0) & (next < q.longest[j]);
+        q.t[j] = comes ? next : t;
+        q.comes[j] = comes ? 1. : 0.;
+    }
+}
+
+
+template<int axis>
+impactInline void guess
+(
+    int from,
+    int to,
+    const smoothBody& b,
+    bool decide,
+    smoothHops& __restrict__ h
+)
+{
+    const double R = b.radius;
+    const double beyond = decide ? 1.03 : 1;
+    hopScratch q;
+    for (int first = from; first < to; first += lanesAtOnce)
+    {
+        const int n = to - first < lanesAtOnce ? to - first : lanesAtOnce;
+        guessSetup<axis>(n, b, h, first, q);
+        guessStraight(n, b, q);
+        guessStraight(n, b, q);
+        guessStraight(n, b, q);
+        guessTurning<axis>(n, b, q);
+        guessTurning<axis>(n, b, q);
+
+        // Those that seem not to strike: until they are out of reach
+        for (int j = 0; j < n; ++j)
+        {
+            const double t = q.t[j];
+            const double out =
+                (R - q.y[j])/(positivePart(q.Vy[j]) + q.slow[j]);
+            const bool strikes = (q.comes[j] > 0) & (t < out);
+            const double end = strikes ? beyond*t : out;
+            h.t[first + j] = end < q.longest[j] ? end : q.longest[j];
+            h.outcome[first + j] =
+                strikes ? hopOutcome::nearly : hopOutcome::open;
+        }
+    }
+}
+
+
+//- With m(t) the normal in body components, a body at y(t) is no lower than
+//  y - H(m), H its support. Between 0 and t the cubic with the values and
+//  rates of m at both ends is off by at most M u^2 (t - u)^2/24, M the largest
+//  fourth derivative; H is convex: it is at most that at the five control
+//  points of the cubic in Bernstein's form of fourth degree, weighted, and so
+//  the height is positive if it is so at those points. Returns the least of
+//  the middle three heights, of the last what it exceeds \c needed by.
+impactInline double clearance
+(
+    const double a[3],
+    double R,
+    double y,
+    double Vy,
+    double t,
+    double turning,
+    const vector3& m0,
+    const vector3& rate0,
+    const vector3& m1,
+    const vector3& rate1,
+    double needed
+)
+{
+    const double third = t*(1./3);
+    const vector3 p1 = m0 + third*rate0;
+    const vector3 p2 = m1 - third*rate1;
+    const double x = turning*t, x2 = x*x;
+    const double error = 1.0001*R*x2*x2*(1./144) + 1e-14*R;
+    const vector3 c1 = 0.25*(m0 + 3*p1);
+    const vector3 c2 = 0.5*(p1 + p2);
+    const vector3 c3 = 0.25*(3*p2 + m1);
+    const double h1 = y + 0.25*t*Vy - boxDepth(a, c1);
+    const double h2 = y + 0.5*t*Vy - boxDepth(a, c2) - error;
+    const double h3 = y + 0.75*t*Vy - boxDepth(a, c3) - needed;
+    const double least = h1 < h2 ? h1 : h2;
+    return least < h3 ? least : h3;
+}
+
+
+template<int axis, bool decide>
+impactInline void land
+(
+    int n,
+    const smoothBody& b,
+    smoothHops& __restrict__ h,
+    smoothLanes* __restrict__ l
+)
+{
+    const double a[3] = {b.a[0], b.a[1], b.a[2]};
+    const double J[3] = {b.J[0], b.J[1], b.J[2]};
+    const double across = axis == 0 ? J[1] : J[0];
+    const double along = axis == 0 ? J[0] : axis == 1 ? J[1] : J[2];
+    const double ratio = 1 - along/across;
+    const double inverse = 1/across;
+    const double R = b.radius;
+    const double tolerance = 1e-11*R;
+    for (int i = 0; i < n; ++i)
+    {
+        const vector3 m0 = {h.ey[0][i], h.ey[1][i], h.ey[2][i]};
+        const vector3 w0 = {h.w[0][i], h.w[1][i], h.w[2][i]};
+        const double Vy = h.V[1][i];
+        const double y = h.y[i];
+        const double t = h.t[i];
+        const hopRotation q(w0, m0, J, ratio, inverse, axis);
+        const double turning = q.rate + std::fabs(q.rateAxis);
+
+        double s, c, sf = 0, cf = 1;
+        sinCos(q.rate*t, s, c);
+        vector3 m = q.before(s, c);
+        vector3 w = w0;
+        if (axis < 3)
+        {
+            sinCos(-q.rateAxis*t, sf, cf);
+            turnAxis<axis>(sf, cf, m.x, m.y, m.z);
+            turnAxis<axis>(sf, cf, w.x, w.y, w.z);
+        }
+        const vector3 rate = cross(m, w);
+        const vector3 half = signedHalf(a, m);
+        const double g = y + Vy*t - dot(half, m);
+        const double r = Vy - dot(half, rate);
+        const bool seems = h.outcome[i] == hopOutcome::nearly;
+
+        // The bound must not vanish much before the height does
+        const double needed = seems ? 0.125*t*positivePart(-r) : 0;
+        const bool clear =
+            clearance
+            (
+                a, R, y, Vy, t, turning, m0, cross(m0, w0), m, rate, needed
+            ) > 0;
+        const bool out = (Vy > 0) & (y + Vy*t >= 0.999999999*R);
+        const bool gone = clear & out & (g > tolerance);
+        if (decide)
+        {
+            const bool pierced = seems & (g < -10*tolerance);
+            h.outcome[i] = hopOutcome::gone*(gone ? 1. : 0.)
+              + hopOutcome::strikes*(pierced ? 1. : 0.);
+        }
+        else
+        {
+            // To the contact itself, if it is so close that the series of
+            // second degree is exact, and no corner can change its place with
+            // another
+            const vector3 dw = spinRate<axis>(q.rateAxis, w);
+            const vector3 bend = cross(rate, w) + cross(m, dw);
+            const double step = stepToZero(g, r, -dot(half, bend));
+            const double angle = std::fabs(step)*turning;
+            const double edge = 4*R*angle + tolerance;
+            const bool single =
+                (a[0]*std::fabs(m.x) > edge) & (a[1]*std::fabs(m.y) > edge)
+              & (a[2]*std::fabs(m.z) > edge);
+            const double end = t + step;
+            const bool falls = seems & (r < 0) & (end > 0);
+            const bool strikes = falls & clear & single & (angle < 3e-5);
+            const bool nearly = falls & (angle < 0.5) & !strikes;
+            h.outcome[i] = hopOutcome::gone*(gone ? 1. : 0.)
+              + hopOutcome::strikes*(strikes ? 1. : 0.)
+              + hopOutcome::nearly*(nearly ? 1. : 0.);
+            h.t[i] = nearly ? end : t;
+
+            const double d = strikes ? step : 0;
+            const double d2 = 0.5*d*d;
+            const vector3 e0 = {h.ex[0][i], h.ex[1][i], h.ex[2][i]};
+            const vector3 Ae = dot(q.k, e0)*q.k;
+            const vector3 Be = e0 - Ae;
+            const vector3 Ce = cross(e0, q.k);
+            vector3 e = Ae + (c*Be + s*Ce);
+            turnAxis<axis>(sf, cf, e.x, e.y, e.z);
+            const vector3 eRate = cross(e, w);
+            const vector3 eBend = cross(eRate, w) + cross(e, dw);
+            const vector3 e1 = e + (d*eRate + d2*eBend);
+            const vector3 m1 = m + (d*rate + d2*bend);
+            const vector3 dw2 = spinRate<axis>(q.rateAxis, dw);
+            const vector3 w1 = w + (d*dw + d2*dw2);
+            l->ex[0][i] = e1.x;
+            l->ex[1][i] = e1.y;
+            l->ex[2][i] = e1.z;
+            l->ey[0][i] = m1.x;
+            l->ey[1][i] = m1.y;
+            l->ey[2][i] = m1.z;
+            l->w[0][i] = w1.x;
+            l->w[1][i] = w1.y;
+            l->w[2][i] = w1.z;
+            l->V[0][i] = h.V[0][i];
+            l->V[1][i] = Vy;
+            l->V[2][i] = h.V[2][i];
+            l->r[0][i] = -half.x;
+            l->r[1][i] = -half.y;
+            l->r[2][i] = -half.z;
+        }
+    }
+}
+
 } // End anonymous namespace
 
 
@@ -541,6 +1133,28 @@ impactKernel void smoothArrive
         arrive<orientationLaw::uniformEuler>(seed, first, n, V, spin, l);
     }
     touchAny(n, b, l);
+}
+
+
+impactKernel void smoothMeet
+(
+    bool isotropic,
+    std::uint64_t seed,
+    std::int64_t first,
+    int n,
+    const double V[3],
+    const smoothBody& b,
+    smoothLanes& l
+)
+{
+    if (isotropic)
+    {
+        meetAny<orientationLaw::isotropic>(seed, first, n, V, b, l);
+    }
+    else
+    {
+        meetAny<orientationLaw::uniformEuler>(seed, first, n, V, b, l);
+    }
 }
 
 
@@ -642,6 +1256,46 @@ impactKernel int smoothCull
     return b.ellipsoid ? cull<true, false>(n, b, l, decide, mayReturn)
       : b.vertices ? cull<false, false>(n, b, l, decide, mayReturn)
       : cull<false, true>(n, b, l, decide, mayReturn);
+}
+
+
+impactKernel void smoothGuess
+(
+    int from,
+    int to,
+    const smoothBody& b,
+    bool decide,
+    smoothHops& h
+)
+{
+    b.axis == 0 ? guess<0>(from, to, b, decide, h)
+  : b.axis == 1 ? guess<1>(from, to, b, decide, h)
+  : b.axis == 2 ? guess<2>(from, to, b, decide, h)
+  : guess<3>(from, to, b, decide, h);
+}
+
+
+impactKernel void smoothLand
+(
+    int n,
+    const smoothBody& b,
+    smoothHops& h,
+    smoothLanes& l
+)
+{
+    b.axis == 0 ? land<0, false>(n, b, h, &l)
+  : b.axis == 1 ? land<1, false>(n, b, h, &l)
+  : b.axis == 2 ? land<2, false>(n, b, h, &l)
+  : land<3, false>(n, b, h, &l);
+}
+
+
+impactKernel void smoothDecide(int n, const smoothBody& b, smoothHops& h)
+{
+    b.axis == 0 ? land<0, true>(n, b, h, nullptr)
+  : b.axis == 1 ? land<1, true>(n, b, h, nullptr)
+  : b.axis == 2 ? land<2, true>(n, b, h, nullptr)
+  : land<3, true>(n, b, h, nullptr);
 }
 
 

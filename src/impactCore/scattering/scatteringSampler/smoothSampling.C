@@ -10,8 +10,12 @@ namespace
 using impact::smoothFlights;
 using impact::smoothLanes;
 
-//- Flights that are not followed until a batch has been added
-constexpr int fewFlights = 128;
+//- Flights and hops that are not followed until a batch has been added
+constexpr int fewFlights = 64;
+
+//- Attempts to bring a hop to its end before it is left to the search step by
+//  step
+constexpr int manyAttempts = 4;
 
 //- Steps after which a flight is left to the general search
 constexpr int manySteps = 100;
@@ -50,15 +54,9 @@ int removeFlights(smoothFlights& f, int n, const int* ended, int m)
 }
 
 
-//- Add the lanes place[0 ... m - 1] to n flights
-void addFlights
-(
-    const smoothLanes& l,
-    const int* place,
-    int m,
-    smoothFlights& f,
-    int n
-)
+//- Copy the motion of the places place[0 ... m - 1] behind n others
+template<class From, class To>
+void copyMotion(const From& l, const int* place, int m, To& f, int n)
 {
     for (int c = 0; c < 3; ++c)
     {
@@ -71,6 +69,21 @@ void addFlights
             f.V[c][n + k] = l.V[c][i];
         }
     }
+}
+
+
+//- Add the lanes place[0 ... m - 1], on the wall, to n flights or hops
+template<class Flights>
+void addFlights
+(
+    const smoothLanes& l,
+    const int* place,
+    int m,
+    Flights& f,
+    int n
+)
+{
+    copyMotion(l, place, m, f, n);
     for (int k = 0; k < m; ++k)
     {
         const int i = place[k];
@@ -80,6 +93,29 @@ void addFlights
               + l.r[2][i]*l.ey[2][i]
             );
         f.approach[n + k] = l.approach[i];
+    }
+}
+
+
+//- Add the hops place[0 ... m - 1] to n flights or hops
+template<class Flights>
+void addHops
+(
+    const impact::smoothHops& h,
+    const int* place,
+    int m,
+    Flights& f,
+    int n
+)
+{
+    copyMotion(h, place, m, f, n);
+    for (int k = 0; k < m; ++k)
+    {
+        const int i = place[k];
+        f.y[n + k] = h.y[i];
+        f.approach[n + k] = h.approach[i];
+        f.id[n + k] = h.id[i];
+        f.contacts[n + k] = h.contacts[i];
     }
 }
 
@@ -108,7 +144,15 @@ void impact::scatteringSampler::sampleSmooth
     scatteringStatistics& result
 ) const
 {
-    if (setup_.law.law() != reboundLaw::lawType::restitution)
+    // A body that turns as it arrives meets the wall in some orientations
+    // more often than in others, as often as its lowest point approaches fast:
+    // its flight down to the wall must be followed
+    const bool still = mag(setup_.spin) == 0;
+    if
+    (
+        setup_.law.law() != reboundLaw::lawType::restitution
+     || !(still || setup_.body.isSphere())
+    )
     {
         sampleRough(first, n, w, result);
         return;
@@ -122,9 +166,15 @@ void impact::scatteringSampler::sampleSmooth
     visitCounts total;
     smoothLanes& l = w.lanes;
     smoothLanes& again = w.struck;
+    smoothLanes& landed = w.landed;
     smoothFlights& f = w.flights;
     int inFlight = 0;
     int step = 0;
+
+    // Hops of the next round; of the first ones the end is known already
+    smoothHops* hops = &w.hops[0];
+    smoothHops* later = &w.hops[1];
+    int hopping = 0, guessed = 0;
 
     auto tally = [&](const smoothLanes& lanes, int m)
     {
@@ -184,6 +234,19 @@ void impact::scatteringSampler::sampleSmooth
             place[k] = i;
             k += may[i];
         }
+        if (hops_)
+        {
+            addFlights(lanes, place, k, *hops, hopping);
+            for (int j = 0; j < k; ++j)
+            {
+                const int i = place[j];
+                hops->id[hopping + j] = particles ? particles[i] : base + i;
+                hops->contacts[hopping + j] = contacts ? contacts[i] : 1;
+                hops->attempts[hopping + j] = 0;
+            }
+            hopping += k;
+            return;
+        }
         addFlights(lanes, place, k, f, inFlight);
         for (int j = 0; j < k; ++j)
         {
@@ -202,6 +265,101 @@ void impact::scatteringSampler::sampleSmooth
         }
         smoothLaunch(inFlight, inFlight + k, smooth_, f);
         inFlight += k;
+    };
+
+    // The lanes of again rebound
+    auto strike = [&](int m, const int* particles, const int* contacts)
+    {
+        smoothImpact(m, smooth_, again);
+        tally(again, m);
+        for (int i = 0; i < m; ++i)
+        {
+            record(again, i, particles[i]);
+        }
+        launch(again, m, 0, particles, contacts);
+    };
+
+    // Hops that the steps of the flights are to follow
+    auto leaveToSteps = [&](const smoothHops& h, const int* place, int m)
+    {
+        addHops(h, place, m, f, inFlight);
+        std::fill_n(f.launched + inFlight, m, step);
+        smoothLaunch(inFlight, inFlight + m, smooth_, f);
+        inFlight += m;
+    };
+
+    // All hops to their ends, as far as those are found at once, and the
+    // impacts there
+    auto hop = [&]
+    {
+        // Whole vectors, as below
+        const int n = hopping;
+        const int whole = (n + 7) & ~7;
+        smoothHops& h = *hops;
+        smoothGuess(guessed, whole, smooth_, decide, h);
+        int open[smoothHops::room + 1];
+        int m = 0;
+        if (decide)
+        {
+            smoothDecide(whole, smooth_, h);
+            for (int i = 0; i < n; ++i)
+            {
+                total.second += h.outcome[i] == hopOutcome::strikes;
+                open[m] = i;
+                m += h.outcome[i] == hopOutcome::open;
+            }
+            hopping = guessed = 0;
+            leaveToSteps(h, open, m);
+            return;
+        }
+
+        smoothLand(whole, smooth_, h, landed);
+        int nearly[smoothHops::room + 1], struck[smoothHops::room + 1];
+        int close = 0, hits = 0;
+        for (int i = 0; i < n; ++i)
+        {
+            const int outcome = int(h.outcome[i]);
+            const int more = h.attempts[i] < manyAttempts;
+            const int isClose = outcome == int(hopOutcome::nearly);
+            open[m] = nearly[close] = struck[hits] = i;
+            m += (outcome == int(hopOutcome::open)) | (isClose & !more);
+            close += isClose & more;
+            hits += outcome == int(hopOutcome::strikes);
+        }
+        addHops(h, nearly, close, *later, 0);
+        for (int j = 0; j < close; ++j)
+        {
+            const int i = nearly[j];
+            later->t[j] = h.t[i];
+            later->outcome[j] = h.outcome[i];
+            later->attempts[j] = h.attempts[i] + 1;
+        }
+        leaveToSteps(h, open, m);
+
+        // Those that strike, but for those that have done so too often
+        int particles[smoothHops::room], contacts[smoothHops::room];
+        int k = 0;
+        for (int j = 0; j < hits; ++j)
+        {
+            const int i = struck[j];
+            struck[k] = i;
+            particles[k] = h.id[i];
+            contacts[k] = h.contacts[i] + 1;
+            total.second += h.contacts[i] == 1;
+            k += h.contacts[i] < setup_.maxImpacts;
+        }
+        total.capped += hits - k;
+        copyMotion(landed, struck, k, again, 0);
+        for (int c = 0; c < 3; ++c)
+        {
+            for (int j = 0; j < k; ++j)
+            {
+                again.r[c][j] = landed.r[c][struck[j]];
+            }
+        }
+        std::swap(hops, later);
+        hopping = guessed = close;
+        strike(k, particles, contacts);
     };
 
     // One step of all flights, and the impacts at its end
@@ -272,38 +430,46 @@ void impact::scatteringSampler::sampleSmooth
             return;
         }
         smoothTurn(struck, smooth_, times, again);
-        smoothImpact(struck, smooth_, again);
-        tally(again, struck);
-        for (int i = 0; i < struck; ++i)
+        strike(struck, particles, contacts);
+    };
+
+    // Until no more than so many are left of each. What may be under way at
+    // once, a batch and twice as many as are left, fits the room of either.
+    static_assert(smoothBatch + 2*fewFlights <= smoothRoom, "room");
+    auto follow = [&](int few)
+    {
+        while (hopping > few || inFlight > few)
         {
-            record(again, i, particles[i]);
+            hopping > few ? hop() : fly();
         }
-        launch(again, struck, 0, particles, contacts);
     };
 
     for (int from = 0; from < n; from += smoothBatch)
     {
         const int m = std::min(smoothBatch, n - from);
-        smoothArrive
-        (
-            setup_.orientation == orientationLaw::isotropic, setup_.seed,
-            first + from, m, V, spin, smooth_, l
-        );
-        smoothImpact(m, smooth_, l);
+        const bool isotropic =
+            setup_.orientation == orientationLaw::isotropic;
+        if (still && !smooth_.vertices)
+        {
+            smoothMeet
+                (isotropic, setup_.seed, first + from, m, V, smooth_, l);
+        }
+        else
+        {
+            smoothArrive
+            (
+                isotropic, setup_.seed, first + from, m, V, spin, smooth_, l
+            );
+            smoothImpact(m, smooth_, l);
+        }
         total.into += tally(l, m);
         for (int i = 0; i < m; ++i)
         {
             record(l, i, from + i);
         }
         launch(l, m, from, nullptr, nullptr);
-        while (inFlight > fewFlights)
-        {
-            fly();
-        }
+        follow(fewFlights);
     }
-    while (inFlight > 0)
-    {
-        fly();
-    }
+    follow(0);
     total.addTo(result);
 }

@@ -6,6 +6,8 @@
 
 #include "shadowKernels.H"
 
+#include <cstring>
+
 namespace impact
 {
 
@@ -58,6 +60,28 @@ impactKernel void shadowGaps
             gap[i] = u >= 0 ? g : gap[i];
         }
     }
+}
+
+
+impactKernel double smallest(int n, const double* x)
+{
+    const int lanes = 8;
+    typedef double row
+        __attribute__((vector_size(lanes*sizeof(double)), aligned(8)));
+    row least;
+    std::memcpy(&least, x, sizeof(least));
+    for (int i = lanes; i < n; i += lanes)
+    {
+        row v;
+        std::memcpy(&v, x + i, sizeof(v));
+        least = v < least ? v : least;
+    }
+    double s = least[0];
+    for (int k = 1; k < lanes; ++k)
+    {
+        s = least[k] < s ? least[k] : s;
+    }
+    return s;
 }
 
 } // End namespace impact

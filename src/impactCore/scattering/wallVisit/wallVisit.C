@@ -181,15 +181,21 @@ public:
         const std::int64_t first = piece.find(x - R, hint);
         const std::int64_t last = piece.find(x + R, first);
         double crest = 0;
-        w.intervals.clear();
-        for (std::int64_t k = first; k <= last; ++k)
+        const std::size_t needed = 5*std::size_t(last - first + 1);
+        if (w.intervals.size() < needed)
+        {
+            w.intervals.resize(needed);
+        }
+        double* copy = w.intervals.data();
+        for (std::int64_t k = first; k <= last; ++k, copy += 5)
         {
             const relief::interval& s = piece.at(k);
             crest = std::max(crest, s.crest);
-            w.intervals.insert
-            (
-                w.intervals.end(), {s.x0, s.c0, s.c1, s.c2, s.c3}
-            );
+            copy[0] = s.x0;
+            copy[1] = s.c0;
+            copy[2] = s.c1;
+            copy[3] = s.c2;
+            copy[4] = s.c3;
         }
         const double pose[8] =
             {x, y, ex_.x, ex_.y, ex_.z, ey_.x, ey_.y, ey_.z};
@@ -198,13 +204,12 @@ public:
             room, padded.data(), pose, int(last - first + 1),
             w.intervals.data(), X, Y, G
         );
+        // The first of the lowest; what pads the list repeats a vertex of it
+        const double least = smallest(room, G);
         int best = 0;
-        double least = G[0];
-        for (int i = 1; i < n; ++i)
+        while (best < n - 1 && G[best] != least)
         {
-            const bool lower = G[i] < least;
-            least = lower ? G[i] : least;
-            best = lower ? i : best;
+            ++best;
         }
         std::int64_t under = first;
         while (under < last && X[best] >= piece.at(under).x1)
