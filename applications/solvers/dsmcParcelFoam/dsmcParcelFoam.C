@@ -6,19 +6,22 @@ Application
 
 Description
     Rarefied gas by direct simulation Monte Carlo (dsmcGas.H), on the files of
-    the stock solver dsmcFoam: run dsmcInitialise first.
+    the stock solver dsmcFoam: run dsmcInitialise first. With the file
+    constant/solidParticleProperties, solid particles in it
+    (solidParticles.H).
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
 #include "completeWrite.H"
 #include "dsmcGas.H"
+#include "solidParticles.H"
 
 int main(int argc, char* argv[])
 {
     argList::addNote
     (
         "Rarefied gas by direct simulation Monte Carlo, on the files of"
-        " dsmcFoam"
+        " dsmcFoam, and solid particles in it"
     );
 
     #include "setRootCase.H"
@@ -28,14 +31,24 @@ int main(int argc, char* argv[])
 
     const convexCells cells(mesh);
     dsmcGas gas(mesh, cells);
+    autoPtr<solidParticles> solids(solidParticles::New(mesh, cells, gas));
 
     Info<< "Starting time loop" << nl << endl;
 
     while (runTime.loop())
     {
         gas.move();
+        if (solids.valid())
+        {
+            solids->move();
+            solids->exchange();
+        }
         gas.collide();
         gas.record();
+        if (solids.valid())
+        {
+            solids->record();
+        }
 
         if (completeWrite::write(runTime))
         {
@@ -44,6 +57,10 @@ int main(int argc, char* argv[])
     }
 
     gas.info();
+    if (solids.valid())
+    {
+        solids->info();
+    }
     Info<< "End" << nl << endl;
     return 0;
 }

@@ -336,6 +336,40 @@ Foam::freeStream::freeStream
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::List<Foam::freeStream::gasState> Foam::freeStream::outside
+(
+    const label patchi,
+    const scalar weight
+) const
+{
+    const polyMesh& mesh = cells_.mesh();
+    const polyPatch& patch = mesh.boundaryMesh()[patchi];
+    const label first = patch.start() - mesh.nInternalFaces();
+    List<gasState> gas(patch.size());
+    for (const source& s : sources_)
+    {
+        const label j = s.boundaryFace - first;
+        if (j < 0 || j >= patch.size() || !(s.flux > 0))
+        {
+            continue;
+        }
+        const vector n(s.inward.x, s.inward.y, s.inward.z);
+        const vector slip(s.slip.x, s.slip.y, s.slip.z);
+        const scalar density =
+            s.flux*weight
+           /(
+                mag(patch.faceAreas()[j])*s.speed
+               *impact::maxwellian::fluxFactor(s.speedRatio)
+            );
+        const scalar Un = s.speedRatio*s.speed;
+        gas[j].massFlux += density*species_[s.typeId].mass*Un;
+        gas[j].velocity = Un*n + slip;
+        gas[j].temperature = s.temperature;
+    }
+    return gas;
+}
+
+
 Foam::label Foam::freeStream::enter
 (
     moleculeArray& molecules,

@@ -1,0 +1,91 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "conservingReturn.H"
+
+#include <cmath>
+
+impact::conservingReturn::conservingReturn
+(
+    const std::vector<cellCollisions::species>& gas
+)
+{
+    for (const cellCollisions::species& s : gas)
+    {
+        mass_.push_back(s.mass);
+        rotates_.push_back(s.internalDegreesOfFreedom > 0);
+    }
+}
+
+
+impact::balance impact::conservingReturn::of
+(
+    const cellCollisions::molecules& gas
+) const
+{
+    balance b;
+    for (int i = 0; i < gas.n; ++i)
+    {
+        const int s = gas.species[i];
+        const vector3 u{gas.u[i], gas.v[i], gas.w[i]};
+        b.momentum = b.momentum + mass_[s]*u;
+        b.energy +=
+            0.5*mass_[s]*dot(u, u) + rotates_[s]*gas.internalEnergy[i];
+    }
+    return b;
+}
+
+
+impact::balance impact::conservingReturn::give
+(
+    const cellCollisions::molecules& gas,
+    const balance& b
+) const
+{
+    if (gas.n < 2 || b.isZero())
+    {
+        return b;
+    }
+
+    double mass = 0;
+    vector3 momentum{0, 0, 0};
+    for (int i = 0; i < gas.n; ++i)
+    {
+        const double m = mass_[gas.species[i]];
+        mass += m;
+        momentum =
+            momentum + m*vector3{gas.u[i], gas.v[i], gas.w[i]};
+    }
+    const vector3 U = (1/mass)*momentum;
+    double thermal = 0;
+    for (int i = 0; i < gas.n; ++i)
+    {
+        const int s = gas.species[i];
+        const vector3 c = vector3{gas.u[i], gas.v[i], gas.w[i]} - U;
+        thermal += 0.5*mass_[s]*dot(c, c) + rotates_[s]*gas.internalEnergy[i];
+    }
+
+    for (double part = 1; part >= 1./1024; part *= 0.5)
+    {
+        const vector3 P = part*b.momentum;
+        const double after =
+            thermal + part*b.energy - dot(U, P) - 0.5*dot(P, P)/mass;
+        if (!(after >= 0.25*thermal && after <= 4*thermal && after > 0))
+        {
+            continue;
+        }
+        const double factor = after/thermal;
+        const double root = std::sqrt(factor);
+        const vector3 to = U + (1/mass)*P;
+        for (int i = 0; i < gas.n; ++i)
+        {
+            gas.u[i] = to.x + root*(gas.u[i] - U.x);
+            gas.v[i] = to.y + root*(gas.v[i] - U.y);
+            gas.w[i] = to.z + root*(gas.w[i] - U.z);
+            gas.internalEnergy[i] *= factor;
+        }
+        return part == 1 ? balance() : (1 - part)*b;
+    }
+    return b;
+}

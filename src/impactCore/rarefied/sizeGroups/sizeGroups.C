@@ -1,0 +1,117 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "sizeGroups.H"
+#include "rangeCheck.H"
+
+#include <cmath>
+
+namespace
+{
+    //- Part of a normal law between two values; the tail that is the smaller
+    //  one keeps its digits
+    double between(double a, double b)
+    {
+        const double r = std::sqrt(0.5);
+        return
+            a > 0 ? 0.5*(std::erfc(r*a) - std::erfc(r*b))
+          : 0.5*(std::erfc(-r*b) - std::erfc(-r*a));
+    }
+
+    //- Where the part p of a normal law is below
+    double quantile(double p)
+    {
+        double low = -40, high = 40;
+        for (int i = 0; i < 80; ++i)
+        {
+            const double middle = 0.5*(low + high);
+            (between(-40, middle) < p ? low : high) = middle;
+        }
+        return 0.5*(low + high);
+    }
+}
+
+
+std::vector<impact::sizeGroups::group> impact::sizeGroups::list
+(
+    const std::vector<double>& diameters,
+    const std::vector<double>& fractions
+)
+{
+    checkRange
+    (
+        !diameters.empty(), "number of diameters", double(diameters.size()),
+        ">= 1"
+    );
+    checkRange
+    (
+        fractions.size() == diameters.size(),
+        "number of massFractions", double(fractions.size()),
+        "that of diameters, " + std::to_string(diameters.size())
+    );
+    double sum = 0;
+    for (std::size_t i = 0; i < diameters.size(); ++i)
+    {
+        checkRange
+        (
+            diameters[i] > 0 && diameters[i] < 1e3,
+            "diameters", diameters[i], "> 0 [m]"
+        );
+        checkRange
+        (
+            fractions[i] >= 0 && fractions[i] < 1e100,
+            "massFractions", fractions[i], ">= 0"
+        );
+        sum += fractions[i];
+    }
+    checkRange(sum > 0, "sum of massFractions", sum, "> 0");
+
+    std::vector<group> groups;
+    for (std::size_t i = 0; i < diameters.size(); ++i)
+    {
+        groups.push_back({diameters[i], fractions[i]/sum});
+    }
+    return groups;
+}
+
+
+std::vector<impact::sizeGroups::group> impact::sizeGroups::lognormal
+(
+    double radius,
+    double deviation,
+    weighting w,
+    int classes
+)
+{
+    checkRange(radius > 0 && radius < 1e3, "radius", radius, "> 0 [m]");
+    checkRange
+    (
+        deviation > 1 && deviation <= 10, "deviation", deviation, "(1, 10]"
+    );
+    checkRange
+    (
+        classes >= 1 && classes <= 100, "classes", classes, "1 to 100"
+    );
+
+    // The law of mass has the same deviation, about a median greater by
+    // exp(3 s^2)
+    const double s = std::log(deviation);
+    const double shift = 3*s;
+    const double median =
+        w == weighting::number ? std::log(radius)
+      : std::log(radius) - 3*s*s;
+    const double meanCube = 3*median + 4.5*s*s;
+
+    std::vector<group> groups;
+    for (int i = 0; i < classes; ++i)
+    {
+        const double from = i ? quantile(double(i)/classes) : -40;
+        const double to =
+            i < classes - 1 ? quantile(double(i + 1)/classes) : 40;
+        const double number = between(from + shift, to + shift);
+        const double cube = meanCube - std::log(classes*number);
+        groups.push_back({2*std::exp(cube/3), 1./classes});
+    }
+    return groups;
+}

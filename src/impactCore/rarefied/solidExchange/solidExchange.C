@@ -1,0 +1,260 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "solidExchange.H"
+#include "maxwellian.H"
+#include "rangeCheck.H"
+
+#include <cmath>
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+impact::solidExchange::solidExchange
+(
+    const std::vector<cellCollisions::species>& gas,
+    const material& m,
+    const std::vector<double>& diameters,
+    mode exchange,
+    sphereReflection::law deflection,
+    std::uint64_t seed
+)
+:
+    species_(gas),
+    material_(m),
+    mode_(exchange),
+    law_(deflection),
+    seed_(seed),
+    transfer_(gas, m.accommodation, m.specificHeat),
+    return_(gas)
+{
+    checkRange
+    (
+        m.density > 0 && m.density < 1e100, "density", m.density,
+        "> 0 [kg/m^3]"
+    );
+    for (const double d : diameters)
+    {
+        checkRange(d > 0 && d < 1e3, "diameter", d, "> 0 [m]");
+        sizes_.push_back({0.5*d, m.density*M_PI/6*d*d*d});
+    }
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+impact::solidExchange::bound impact::solidExchange::findBound
+(
+    const cellCollisions::molecules& gas
+) const
+{
+    vector3 mean{0, 0, 0};
+    for (int i = 0; i < gas.n; ++i)
+    {
+        mean = mean + vector3{gas.u[i], gas.v[i], gas.w[i]};
+    }
+    mean = (1./gas.n)*mean;
+    double greatest = 0;
+    for (int i = 0; i < gas.n; ++i)
+    {
+        const vector3 c = vector3{gas.u[i], gas.v[i], gas.w[i]} - mean;
+        greatest = std::fmax(greatest, dot(c, c));
+    }
+    return {mean, std::sqrt(greatest)};
+}
+
+
+void impact::solidExchange::scatter
+(
+    const cellCollisions::molecules& gas,
+    sphereTransfer::sphere& s,
+    double number,
+    double weight,
+    double perVolume,
+    bound& b,
+    counterRandom& rnd,
+    gains& g,
+    counts& total
+) const
+{
+    const double cMax = mag(s.velocity - b.mean) + b.thermal;
+    const double expected =
+        number*gas.n*M_PI*s.radius*s.radius*cMax*perVolume;
+    const std::int64_t nCandidates = std::int64_t(expected + rnd.uniform());
+    const bool both = mode_ == mode::perCollision;
+    const double share = number*s.mass;
+    total.candidates += nCandidates;
+
+    for (std::int64_t k = 0; k < nCandidates; ++k)
+    {
+        const int i = int((std::uint64_t(rnd.bits())*gas.n) >> 32);
+        const vector3 before{gas.u[i], gas.v[i], gas.w[i]};
+        const vector3 relative = before - s.velocity;
+        const double c = mag(relative);
+        if (!(cMax*rnd.uniform() < c))
+        {
+            continue;
+        }
+        total.beyond += c > cMax;
+
+        const cellCollisions::species& kind = species_[gas.species[i]];
+        const double m = kind.mass;
+        const int zeta = kind.internalDegreesOfFreedom;
+        double internal = zeta ? gas.internalEnergy[i] : 0;
+        const double internalBefore = internal;
+        vector3 leaving;
+        if (rnd.uniform() < material_.accommodation)
+        {
+            const double kT = maxwellian::boltzmann*s.temperature;
+            const double speed = std::sqrt
+            (
+                -2*kT/m*std::log(rnd.uniform()*rnd.uniform())
+            );
+            leaving = speed
+               *sphereReflection::diffuse(law_, (1/c)*relative, rnd);
+            internal = zeta ? kT*maxwellian::internalEnergy(zeta, rnd) : 0;
+        }
+        else
+        {
+            leaving = c*sphereReflection::specular(rnd);
+        }
+
+        vector3 after;
+        if (both)
+        {
+            const double own = weight*m;
+            const double reduced = own*share/(own + share);
+            const double heat =
+                0.5*reduced*(c*c - dot(leaving, leaving))
+              + weight*(internalBefore - internal);
+            const double T =
+                s.temperature + heat/(share*material_.specificHeat);
+            if (!(T > 0))
+            {
+                ++total.refused;
+                continue;
+            }
+            const vector3 impulse = reduced*(leaving - relative);
+            after = before + (1/own)*impulse;
+            s.velocity = s.velocity - (1/share)*impulse;
+            s.temperature = T;
+        }
+        else
+        {
+            after = s.velocity + leaving;
+        }
+
+        ++total.collisions;
+        gas.u[i] = after.x;
+        gas.v[i] = after.y;
+        gas.w[i] = after.z;
+        if (zeta)
+        {
+            gas.internalEnergy[i] = internal;
+        }
+        g.gas.momentum = g.gas.momentum + (weight*m)*(after - before);
+        g.gas.energy += weight
+           *(
+                0.5*m*(dot(after, after) - dot(before, before))
+              + internal - internalBefore
+            );
+        b.thermal = std::fmax(b.thermal, mag(after - b.mean));
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+impact::balance impact::solidExchange::of(const spheres& solids) const
+{
+    balance b;
+    for (int j = 0; j < solids.n; ++j)
+    {
+        const double mass = solids.number[j]*sizes_[solids.group[j]].mass;
+        const vector3 v{solids.u[j], solids.v[j], solids.w[j]};
+        b.momentum = b.momentum + mass*v;
+        b.energy += mass
+           *(0.5*dot(v, v) + material_.specificHeat*solids.temperature[j]);
+    }
+    return b;
+}
+
+
+impact::solidExchange::gains impact::solidExchange::exchange
+(
+    const cellCollisions::molecules& gas,
+    const spheres& solids,
+    double weight,
+    double volume,
+    double deltaT,
+    balance& ledger,
+    std::uint64_t cell,
+    std::uint32_t step,
+    counts& total
+)
+{
+    gains g;
+    if (solids.n && gas.n)
+    {
+        const bool all = mode_ != mode::perCollision;
+        if (all)
+        {
+            transfer_.gather(gas);
+            total.pairs += std::int64_t(gas.n)*solids.n;
+        }
+        bound b{};
+        if (twoWay())
+        {
+            b = findBound(gas);
+        }
+        counterRandom rnd(seed_, cell, step);
+        double hits = 0;
+        for (int j = 0; j < solids.n; ++j)
+        {
+            const size& body = sizes_[solids.group[j]];
+            const vector3 v0{solids.u[j], solids.v[j], solids.w[j]};
+            const double T0 = solids.temperature[j];
+            sphereTransfer::sphere s{v0, T0, body.radius, body.mass};
+            if (twoWay())
+            {
+                hits += solids.number[j]*M_PI*body.radius*body.radius
+                   *(mag(v0 - b.mean) + b.thermal)*deltaT/volume;
+                scatter
+                (
+                    gas, s, solids.number[j], weight, deltaT/volume, b, rnd,
+                    g, total
+                );
+            }
+            if (all)
+            {
+                transfer_.advance
+                (
+                    s, transfer_.on(s, weight/volume), deltaT
+                );
+            }
+            solids.u[j] = s.velocity.x;
+            solids.v[j] = s.velocity.y;
+            solids.w[j] = s.velocity.z;
+            solids.temperature[j] = s.temperature;
+
+            const double mass = solids.number[j]*body.mass;
+            const vector3 dv = s.velocity - v0;
+            g.solids.momentum = g.solids.momentum + mass*dv;
+            g.solids.energy += mass
+               *(
+                    0.5*dot(dv, s.velocity + v0)
+                  + material_.specificHeat*(s.temperature - T0)
+                );
+        }
+        total.greatestHits = std::fmax(total.greatestHits, hits);
+    }
+
+    if (mode_ == mode::perCell && (solids.n || !ledger.isZero()))
+    {
+        balance owed = ledger - g.solids;
+        owed = owed - g.gas;
+        ledger = weight*return_.give(gas, (1/weight)*owed);
+        total.holding += !ledger.isZero();
+    }
+    return g;
+}

@@ -1,0 +1,121 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "sphereTransfer.H"
+#include "maxwellian.H"
+#include "rangeCheck.H"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+    //- (1 - exp(-x))/x
+    double relaxed(double x)
+    {
+        return x > 1e-300 ? -std::expm1(-x)/x : 1;
+    }
+}
+
+
+impact::sphereTransfer::sphereTransfer
+(
+    const std::vector<cellCollisions::species>& gas,
+    double accommodation,
+    double specificHeat
+)
+:
+    accommodation_(accommodation),
+    specificHeat_(specificHeat),
+    gas_{}
+{
+    checkRange
+    (
+        accommodation >= 0 && accommodation <= 1,
+        "accommodation", accommodation, "[0, 1]"
+    );
+    checkRange
+    (
+        specificHeat > 0 && specificHeat < 1e100,
+        "specificHeat", specificHeat, "> 0 [J/(kg K)]"
+    );
+    for (const cellCollisions::species& s : gas)
+    {
+        mass_.push_back(s.mass);
+        rootMass_.push_back(std::sqrt(s.mass));
+        reflected_.push_back(2 + 0.5*s.internalDegreesOfFreedom);
+        rotates_.push_back(s.internalDegreesOfFreedom > 0);
+    }
+}
+
+
+void impact::sphereTransfer::gather(const cellCollisions::molecules& gas)
+{
+    const int w = transferKernels::width;
+    const std::size_t n = std::size_t((gas.n + w - 1)/w)*w;
+    if (buffer_.size() < 7*n)
+    {
+        buffer_.resize(7*n);
+    }
+    double* u = buffer_.data();
+    double* v = u + n;
+    double* z = v + n;
+    double* energy = z + n;
+    double* mass = energy + n;
+    double* rootMass = mass + n;
+    double* reflected = rootMass + n;
+    std::copy(gas.u, gas.u + gas.n, u);
+    std::copy(gas.v, gas.v + gas.n, v);
+    std::copy(gas.w, gas.w + gas.n, z);
+    for (int i = 0; i < gas.n; ++i)
+    {
+        const int s = gas.species[i];
+        energy[i] = rotates_[s]*gas.internalEnergy[i];
+        mass[i] = mass_[s];
+        rootMass[i] = rootMass_[s];
+        reflected[i] = reflected_[s];
+    }
+    for (double* array : {u, v, z, energy, mass, rootMass, reflected})
+    {
+        std::fill(array + gas.n, array + n, 0.);
+    }
+    gas_ = {int(n), u, v, z, energy, mass, rootMass, reflected};
+}
+
+
+impact::sphereTransfer::rates impact::sphereTransfer::on
+(
+    const sphere& s,
+    double density
+) const
+{
+    const double kT = maxwellian::boltzmann*s.temperature;
+    const double p[3] = {s.velocity.x, s.velocity.y, s.velocity.z};
+    const transferKernels::sums sums = transferKernels::sum
+    (
+        gas_, p, accommodation_/3*std::sqrt(2*M_PI*kT)
+    );
+    const double f = M_PI*s.radius*s.radius*density;
+    return
+    {
+        {f*sums.force[0], f*sums.force[1], f*sums.force[2]},
+        f*accommodation_*(sums.energy - sums.cooling*kT),
+        f*sums.drag,
+        f*accommodation_*sums.cooling*maxwellian::boltzmann
+    };
+}
+
+
+void impact::sphereTransfer::advance
+(
+    sphere& s,
+    const rates& r,
+    double deltaT
+) const
+{
+    const double perMass = deltaT/s.mass;
+    const double perHeat = perMass/specificHeat_;
+    s.velocity = s.velocity + (perMass*relaxed(r.dragRate*perMass))*r.force;
+    s.temperature += perHeat*relaxed(r.coolingRate*perHeat)*r.heat;
+}

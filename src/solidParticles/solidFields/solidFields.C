@@ -1,0 +1,432 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "solidFields.H"
+#include "IOdictionary.H"
+#include "coreVector.H"
+#include "solidEntries.H"
+#include "wallFvPatch.H"
+
+namespace Foam
+{
+    static const word phase(".solids");
+    static const word stateName("solidFieldsMean");
+
+    //- Surface fields, in the order of the sums
+    static const char* const surfaceNames[] =
+        {"numberFlux", "massFlux", "energyFlux", "impactT"};
+
+    static const dimensionSet rateDimensions(1, -2, -2, 0, 0);
+    static const dimensionSet energyRateDimensions(1, -1, -3, 0, 0);
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class Type>
+Foam::autoPtr<Foam::GeometricField<Type, Foam::fvPatchField, Foam::volMesh>>
+Foam::solidFields::makeField
+(
+    const word& name,
+    const dimensionSet& dimensions,
+    const bool read
+) const
+{
+    typedef GeometricField<Type, fvPatchField, volMesh> fieldType;
+    const IOobject object
+    (
+        name,
+        mesh_.time().timeName(),
+        mesh_,
+        read ? IOobject::MUST_READ : IOobject::NO_READ,
+        IOobject::AUTO_WRITE
+    );
+    if (read)
+    {
+        return autoPtr<fieldType>(new fieldType(object, mesh_));
+    }
+    wordList types(mesh_.boundary().size(), "zeroGradient");
+    forAll(types, patchi)
+    {
+        if (isA<wallFvPatch>(mesh_.boundary()[patchi]))
+        {
+            types[patchi] = "calculated";
+        }
+    }
+    return autoPtr<fieldType>
+    (
+        new fieldType
+        (
+            object, mesh_, dimensioned<Type>(dimensions, Zero), types
+        )
+    );
+}
+
+
+void Foam::solidFields::makeFields(const bool read)
+{
+    const label nGroups = mass_.size();
+    if (particlesAsked())
+    {
+        for (label g = 0; g <= nGroups; ++g)
+        {
+            const word end(g < nGroups ? word(phase + Foam::name(g)) : phase);
+            n_.append
+            (
+                makeField<scalar>
+                (
+                    "numberDensity" + end, dimless/dimVolume, read
+                ).release()
+            );
+            if (asked_[concentration])
+            {
+                rho_.append
+                (
+                    makeField<scalar>
+                    (
+                        "concentration" + end, dimDensity, read
+                    ).release()
+                );
+            }
+            if (asked_[velocity])
+            {
+                U_.append
+                (
+                    makeField<vector>("U" + end, dimVelocity, read).release()
+                );
+            }
+            if (asked_[temperature])
+            {
+                T_.append
+                (
+                    makeField<scalar>
+                    (
+                        "T" + end, dimTemperature, read
+                    ).release()
+                );
+            }
+        }
+    }
+    if (asked_[exchange])
+    {
+        for (const word& end : {phase, word(".gas")})
+        {
+            momentumRate_.append
+            (
+                makeField<vector>
+                (
+                    "momentumRate" + end, rateDimensions, read
+                ).release()
+            );
+            energyRate_.append
+            (
+                makeField<scalar>
+                (
+                    "energyRate" + end, energyRateDimensions, read
+                ).release()
+            );
+        }
+    }
+    if (asked_[surface])
+    {
+        const dimensionSet dimensions[] =
+        {
+            dimless/dimArea/dimTime, dimMass/dimArea/dimTime,
+            dimEnergy/dimArea/dimTime, dimTemperature
+        };
+        for (label k = 0; k < 4; ++k)
+        {
+            surface_.append
+            (
+                makeField<scalar>
+                (
+                    surfaceNames[k] + phase, dimensions[k], read
+                ).release()
+            );
+        }
+    }
+}
+
+
+void Foam::solidFields::restore()
+{
+    const label nGroups = mass_.size();
+    forAll(mesh_.V(), celli)
+    {
+        const scalar V = mesh_.V()[celli];
+        for (label g = 0; particlesAsked() && g < nGroups; ++g)
+        {
+            sums& s = cells_[celli*nGroups + g];
+            s.number = n_[g][celli]*V*nSteps_;
+            for (direction d = 0; asked_[velocity] && d < 3; ++d)
+            {
+                s.momentum[d] = s.number*U_[g][celli][d];
+            }
+            s.heat = asked_[temperature] ? s.number*T_[g][celli] : 0;
+        }
+        if (asked_[exchange])
+        {
+            const scalar f = V*duration_;
+            gains_[celli].solids =
+            {
+                toCore(f*momentumRate_[0][celli]), f*energyRate_[0][celli]
+            };
+            gains_[celli].gas =
+            {
+                toCore(f*momentumRate_[1][celli]), f*energyRate_[1][celli]
+            };
+        }
+    }
+    for (const fvPatch& patch : mesh_.boundary())
+    {
+        if (!asked_[surface] || !isA<wallFvPatch>(patch))
+        {
+            continue;
+        }
+        forAll(patch, j)
+        {
+            const label patchi = patch.index();
+            wallSums& s = walls_[patch.start() - mesh_.nInternalFaces() + j];
+            const scalar f = patch.magSf()[j]*duration_;
+            s.number = f*surface_[0].boundaryField()[patchi][j];
+            s.mass = f*surface_[1].boundaryField()[patchi][j];
+            s.energy = f*surface_[2].boundaryField()[patchi][j];
+            s.heat = s.mass*surface_[3].boundaryField()[patchi][j];
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::solidFields::solidFields
+(
+    const dictionary& dict,
+    const fvMesh& mesh,
+    const scalarList& mass
+)
+:
+    mesh_(mesh),
+    mass_(mass),
+    start_(dict.getOrDefault<scalar>("start", 0)),
+    every_(dict.getOrDefault<label>("every", 1)),
+    asked_{},
+    nSteps_(0),
+    duration_(0)
+{
+    solidEntries::allow(dict, {"start", "every", "fields"});
+    if (every_ < 1)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry every is " << every_ << nl
+            << "Valid range: every >= 1 [steps]" << exit(FatalIOError);
+    }
+    const wordList names
+    {
+        "numberDensity", "concentration", "U", "T", "exchange", "surface"
+    };
+    for (const word& name : dict.get<wordList>("fields"))
+    {
+        const label at = names.find(name);
+        if (at < 0)
+        {
+            unknownWord(dict, "fields", name, names);
+        }
+        asked_[at] = true;
+    }
+
+    if (particlesAsked())
+    {
+        cells_.resize(std::size_t(mesh.nCells())*mass_.size(), sums());
+    }
+    if (asked_[exchange])
+    {
+        gains_.resize(mesh.nCells());
+    }
+    if (asked_[surface])
+    {
+        walls_.resize(mesh.nFaces() - mesh.nInternalFaces(), wallSums());
+    }
+
+    IOdictionary state
+    (
+        IOobject
+        (
+            stateName,
+            mesh.time().timeName(),
+            "uniform",
+            mesh,
+            IOobject::READ_IF_PRESENT,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+    const bool continued = state.found("nSteps");
+    makeFields(continued);
+    if (continued)
+    {
+        nSteps_ = state.get<label>("nSteps");
+        duration_ = state.get<scalar>("duration");
+        restore();
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::solidFields::samplingNow() const
+{
+    return
+        mesh_.time().value() > start_ - 0.5*mesh_.time().deltaTValue()
+     && mesh_.time().timeIndex() % every_ == 0;
+}
+
+
+void Foam::solidFields::addStep(const solidArray& particles)
+{
+    ++nSteps_;
+    duration_ += mesh_.time().deltaTValue();
+    if (!particlesAsked())
+    {
+        return;
+    }
+    const label nGroups = mass_.size();
+    const solidData& data = particles.payload();
+    for (label celli = 0; celli < mesh_.nCells(); ++celli)
+    {
+        sums* here = &cells_[std::size_t(celli)*nGroups];
+        const label last = particles.begin(celli + 1);
+        for (label i = particles.begin(celli); i < last; ++i)
+        {
+            sums& s = here[data.group[i]];
+            const scalar n = data.nParticle[i];
+            s.number += n;
+            s.momentum[0] += n*particles.u()[i];
+            s.momentum[1] += n*particles.v()[i];
+            s.momentum[2] += n*particles.w()[i];
+            s.heat += n*data.T[i];
+        }
+    }
+}
+
+
+void Foam::solidFields::update()
+{
+    if (!nSteps_)
+    {
+        return;
+    }
+    const label nGroups = mass_.size();
+    forAll(mesh_.V(), celli)
+    {
+        const scalar V = mesh_.V()[celli];
+        if (particlesAsked())
+        {
+            scalar number = 0, mass = 0, heat = 0;
+            vector momentum(Zero);
+            for (label g = 0; g <= nGroups; ++g)
+            {
+                scalar n = number, m = mass, h = heat;
+                vector p = momentum;
+                if (g < nGroups)
+                {
+                    const sums& s = cells_[std::size_t(celli)*nGroups + g];
+                    n = s.number;
+                    m = n*mass_[g];
+                    h = mass_[g]*s.heat;
+                    p = mass_[g]
+                       *vector(s.momentum[0], s.momentum[1], s.momentum[2]);
+                    number += n;
+                    mass += m;
+                    heat += h;
+                    momentum += p;
+                }
+                n_[g].primitiveFieldRef()[celli] = n/(V*nSteps_);
+                if (asked_[concentration])
+                {
+                    rho_[g].primitiveFieldRef()[celli] = m/(V*nSteps_);
+                }
+                if (asked_[velocity])
+                {
+                    U_[g].primitiveFieldRef()[celli] =
+                        m > 0 ? vector(p/m) : vector(Zero);
+                }
+                if (asked_[temperature])
+                {
+                    T_[g].primitiveFieldRef()[celli] = m > 0 ? h/m : 0;
+                }
+            }
+        }
+        if (asked_[exchange])
+        {
+            const auto& g = gains_[celli];
+            const scalar f = 1/(V*duration_);
+            label k = 0;
+            for (const impact::balance* b : {&g.solids, &g.gas})
+            {
+                momentumRate_[k].primitiveFieldRef()[celli] =
+                    f*fromCore(b->momentum);
+                energyRate_[k].primitiveFieldRef()[celli] = f*b->energy;
+                ++k;
+            }
+        }
+    }
+    for (PtrList<volScalarField>* list : {&n_, &rho_, &T_, &energyRate_})
+    {
+        for (volScalarField& field : *list)
+        {
+            field.correctBoundaryConditions();
+        }
+    }
+    for (PtrList<volVectorField>* list : {&U_, &momentumRate_})
+    {
+        for (volVectorField& field : *list)
+        {
+            field.correctBoundaryConditions();
+        }
+    }
+
+    forAll(surface_, k)
+    {
+        for (const fvPatch& patch : mesh_.boundary())
+        {
+            if (!isA<wallFvPatch>(patch))
+            {
+                continue;
+            }
+            fvPatchScalarField& values =
+                surface_[k].boundaryFieldRef()[patch.index()];
+            forAll(patch, j)
+            {
+                const wallSums& s =
+                    walls_[patch.start() - mesh_.nInternalFaces() + j];
+                const scalar f = 1/(patch.magSf()[j]*duration_);
+                values[j] =
+                    k == 0 ? f*s.number : k == 1 ? f*s.mass
+                  : k == 2 ? f*s.energy : s.mass > 0 ? s.heat/s.mass : 0;
+            }
+        }
+    }
+}
+
+
+void Foam::solidFields::writeState() const
+{
+    IOdictionary state
+    (
+        IOobject
+        (
+            stateName,
+            mesh_.time().timeName(),
+            "uniform",
+            mesh_,
+            IOobject::NO_READ,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+    state.add("nSteps", nSteps_);
+    state.add("duration", duration_);
+    state.regIOobject::write();
+}

@@ -1,0 +1,434 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "solidInflow.H"
+#include "boundBox.H"
+#include "coreVector.H"
+#include "solidEntries.H"
+#include "wordRes.H"
+
+#include <algorithm>
+
+namespace
+{
+    //- Is the entry the word 'gas'?
+    bool ofGas(const Foam::dictionary& d, const Foam::word& name)
+    {
+        const Foam::token first(d.lookup(name));
+        return first.isWord() && first.wordToken() == "gas";
+    }
+
+    //- A whole number with the given mean
+    Foam::label rounded(Foam::scalar mean, impact::counterRandom& rnd)
+    {
+        return Foam::label(mean*(1 + 1e-12) + rnd.uniform());
+    }
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalarList Foam::solidInflow::realPerSimulator
+(
+    const dictionary& d,
+    const word& count,
+    const scalar mass
+) const
+{
+    if (!d.found(count))
+    {
+        if (!dict_.found("realPerSimulator"))
+        {
+            FatalIOErrorInFunction(d)
+                << "Neither " << count << " here nor realPerSimulator in "
+                << dict_.name() << nl
+                << "Valid: one of the two" << exit(FatalIOError);
+        }
+        return solidEntries::perGroup
+        (
+            dict_, "realPerSimulator", groups_.size()
+        );
+    }
+    scalarList number(solidEntries::perGroup(d, count, groups_.size()));
+    forAll(number, g)
+    {
+        number[g] =
+            mass*groups_[g].massFraction/(groups_[g].mass*number[g]);
+    }
+    return number;
+}
+
+
+Foam::labelList Foam::solidInflow::regionCells(const dictionary& d) const
+{
+    const polyMesh& mesh = cells_.mesh();
+    const word region
+    (
+        getWordOf(d, "region", "", {"all", "box", "zone"})
+    );
+    if (region == "all")
+    {
+        return identity(mesh.nCells());
+    }
+    labelList found;
+    if (region == "zone")
+    {
+        const word name(d.get<word>("zone"));
+        const label zone = mesh.cellZones().findZoneID(name);
+        if (zone < 0)
+        {
+            FatalIOErrorInFunction(d)
+                << "Unknown zone " << name << nl << "Valid zones: "
+                << flatOutput(mesh.cellZones().names()) << exit(FatalIOError);
+        }
+        found = mesh.cellZones()[zone];
+    }
+    else
+    {
+        ITstream& is = d.lookup("box");
+        const point low(is);
+        const point high(is);
+        const boundBox box(low, high);
+        if (!(box.span().x() > 0 && box.span().y() > 0 && box.span().z() > 0))
+        {
+            FatalIOErrorInFunction(d)
+                << "Entry box is " << low << ' ' << high << nl
+                << "Valid: least and greatest corner" << exit(FatalIOError);
+        }
+        forAll(mesh.cellCentres(), i)
+        {
+            if (box.contains(mesh.cellCentres()[i]))
+            {
+                found.append(i);
+            }
+        }
+    }
+    if (!returnReduce(found.size(), sumOp<label>()))
+    {
+        FatalIOErrorInFunction(d)
+            << "There is no cell in the region " << region
+            << exit(FatalIOError);
+    }
+    return found;
+}
+
+
+impact::vector3 Foam::solidInflow::pointIn
+(
+    const label meshCelli,
+    impact::counterRandom& rnd,
+    label& celli
+) const
+{
+    const polyMesh& mesh = cells_.mesh();
+    const boundBox box(mesh.points(), mesh.cellPoints()[meshCelli], false);
+    while (true)
+    {
+        const scalar a = rnd.uniform();
+        const scalar b = rnd.uniform();
+        const scalar c = rnd.uniform();
+        const impact::vector3 x = toCore
+        (
+            box.min() + cmptMultiply(box.span(), vector(a, b, c))
+        );
+        for
+        (
+            celli = cells_.firstCell()[meshCelli];
+            celli < cells_.firstCell()[meshCelli + 1];
+            ++celli
+        )
+        {
+            if (cells_.height(celli, x) < 0)
+            {
+                return x;
+            }
+        }
+    }
+}
+
+
+void Foam::solidInflow::readInflows()
+{
+    const polyMesh& mesh = cells_.mesh();
+    const polyBoundaryMesh& patches = mesh.boundaryMesh();
+    const dictionary& inflows = dict_.subOrEmptyDict("inflows");
+    boolList taken(patches.size(), false);
+    wordList open;
+    for (const polyPatch& patch : patches)
+    {
+        if (isType<polyPatch>(patch))
+        {
+            open.append(patch.name());
+        }
+    }
+
+    for (const entry& e : inflows)
+    {
+        const dictionary& d = inflows.subDict(e.keyword());
+        solidEntries::allow
+        (
+            d,
+            {
+                "massFlow", "massLoading", "velocity", "temperature",
+                "simulatorsPerStep"
+            }
+        );
+        if (d.found("massFlow") == d.found("massLoading"))
+        {
+            FatalIOErrorInFunction(d)
+                << "Valid: one of the entries massFlow and massLoading"
+                << exit(FatalIOError);
+        }
+        const bool loading = d.found("massLoading");
+        const scalar amount = solidEntries::positive
+        (
+            d, loading ? "massLoading" : "massFlow", loading ? "" : "[kg/s]"
+        );
+        const bool gasU = ofGas(d, "velocity");
+        const bool gasT = ofGas(d, "temperature");
+        const vector U = gasU ? vector(Zero) : d.get<vector>("velocity");
+        const scalar T =
+            gasT ? 0 : solidEntries::positive(d, "temperature", "[K], or gas");
+
+        bool found = false;
+        forAll(patches, patchi)
+        {
+            const polyPatch& patch = patches[patchi];
+            if
+            (
+                !open.found(patch.name())
+             || !(
+                    patch.name() == e.keyword()
+                 || wordRe(e.keyword()).match(patch.name())
+                )
+            )
+            {
+                continue;
+            }
+            found = true;
+            if (taken[patchi])
+            {
+                FatalIOErrorInFunction(inflows)
+                    << "Entry " << e.keyword() << " is the second that"
+                    << " matches patch " << patch.name() << exit(FatalIOError);
+            }
+            taken[patchi] = true;
+
+            const auto outside = gas_.inflow().outside(patchi, gas_.weight());
+            const scalar area = gSum(mag(patch.faceAreas()));
+            source s;
+            scalar sum = 0;
+            forAll(patch, j)
+            {
+                const scalar a = mag(patch.faceAreas()[j]);
+                const vector n = -patch.faceAreas()[j]/a;
+                const auto& gas = outside[j];
+                if ((loading || gasU || gasT) && !(gas.massFlux > 0))
+                {
+                    FatalIOErrorInFunction(d)
+                        << "Particles take their flux, velocity or temperature"
+                        << " from the gas outside patch " << patch.name()
+                        << ", whose mass flux is " << gas.massFlux
+                        << " kg/(m^2 s)" << nl
+                        << "Valid: an inflow of gas (dsmcProperties)"
+                        << exit(FatalIOError);
+                }
+                s.velocity.push_back(gasU ? gas.velocity : U);
+                s.temperature.push_back(gasT ? gas.temperature : T);
+                if (!((s.velocity.back() & n) > 0))
+                {
+                    FatalIOErrorInFunction(d)
+                        << "Entry velocity is " << s.velocity.back()
+                        << " where the inward normal of patch "
+                        << patch.name() << " is " << n << nl
+                        << "Valid: a velocity into the domain"
+                        << exit(FatalIOError);
+                }
+                sum += loading ? amount*gas.massFlux*a : amount*a/area;
+                s.flow.push_back(sum);
+                s.faces.push_back
+                (
+                    patch.start() + j - mesh.nInternalFaces()
+                );
+            }
+            const scalar all = returnReduce(sum, sumOp<scalar>());
+            s.number = realPerSimulator
+            (
+                d, "simulatorsPerStep", all*mesh.time().deltaTValue()
+            );
+            sources_.push_back(s);
+            Info<< "    through " << patch.name() << ": " << all << " kg/s"
+                << nl;
+        }
+        if (!found)
+        {
+            FatalIOErrorInFunction(inflows)
+                << "Entry " << e.keyword() << " of inflows matches no open"
+                << " patch" << nl << "Valid patches: " << flatOutput(open)
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::solidInflow::solidInflow
+(
+    const dictionary& dict,
+    const convexCells& cells,
+    const dsmcGas& gas,
+    const List<group>& groups
+)
+:
+    dict_(dict),
+    cells_(cells),
+    gas_(gas),
+    groups_(groups)
+{
+    readInflows();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::label Foam::solidInflow::fill
+(
+    solidArray& particles,
+    const std::uint64_t seed
+) const
+{
+    const polyMesh& mesh = cells_.mesh();
+    const dictionary fills = dict_.subOrEmptyDict("fills");
+    label total = 0;
+    std::uint32_t number = 0;
+    for (const entry& e : fills)
+    {
+        const dictionary& d = fills.subDict(e.keyword());
+        solidEntries::allow
+        (
+            d,
+            {
+                "region", "box", "zone", "concentration", "velocity",
+                "temperature", "simulators"
+            }
+        );
+        const scalar concentration =
+            solidEntries::positive(d, "concentration", "[kg/m^3]");
+        const scalar T = solidEntries::positive(d, "temperature", "[K]");
+        const impact::vector3 U = getVector(d, "velocity");
+        const labelList region(regionCells(d));
+
+        std::vector<scalar> volume;
+        scalar sum = 0;
+        for (const label i : region)
+        {
+            sum += mesh.cellVolumes()[i];
+            volume.push_back(sum);
+        }
+        const scalarList real
+        (
+            realPerSimulator
+            (
+                d, "simulators",
+                concentration*returnReduce(sum, sumOp<scalar>())
+            )
+        );
+
+        impact::counterRandom rnd(seed, Pstream::myProcNo(), number++);
+        forAll(groups_, g)
+        {
+            const group& size = groups_[g];
+            if (!(size.massFraction > 0))
+            {
+                continue;
+            }
+            const label n = rounded
+            (
+                concentration*sum*size.massFraction/(size.mass*real[g]), rnd
+            );
+            const scalar shift = rnd.uniform();
+            std::size_t k = 0;
+            for (label i = 0; i < n; ++i)
+            {
+                // At equal distances along the volumes of the cells
+                const scalar at = (i + shift)/n*sum;
+                while (k + 1 < volume.size() && volume[k] < at)
+                {
+                    ++k;
+                }
+                label celli;
+                const impact::vector3 x = pointIn(region[k], rnd, celli);
+                const label p = particles.append(celli, x, U);
+                particles.payload().T[p] = T;
+                particles.payload().nParticle[p] = real[g];
+                particles.payload().group[p] = g;
+            }
+            total += n;
+        }
+    }
+    particles.update();
+    return total;
+}
+
+
+Foam::label Foam::solidInflow::enter
+(
+    solidArray& particles,
+    const scalar deltaT,
+    const std::uint64_t seed,
+    const std::uint64_t stream,
+    const std::uint32_t step
+) const
+{
+    label total = 0;
+    for (std::size_t i = 0; i < sources_.size(); ++i)
+    {
+        const source& s = sources_[i];
+        if (s.faces.empty())
+        {
+            continue;
+        }
+        impact::counterRandom rnd(seed, stream + i, step);
+        const scalar sum = s.flow.back();
+        forAll(groups_, g)
+        {
+            const group& size = groups_[g];
+            if (!(size.massFraction > 0))
+            {
+                continue;
+            }
+            const label n = rounded
+            (
+                sum*size.massFraction*deltaT/(size.mass*s.number[g]), rnd
+            );
+            const scalar shift = rnd.uniform();
+            for (label j = 0; j < n; ++j)
+            {
+                const scalar at = (j + shift)/n*sum;
+                const std::size_t k = std::min
+                (
+                    std::size_t
+                    (
+                        std::lower_bound(s.flow.begin(), s.flow.end(), at)
+                      - s.flow.begin()
+                    ),
+                    s.faces.size() - 1
+                );
+                const impact::vector3 x =
+                    gas_.inflow().pointOn(s.faces[k], rnd);
+                const label p = particles.append
+                (
+                    cells_.inside(s.faces[k], x), x, toCore(s.velocity[k]),
+                    rnd.uniform()
+                );
+                particles.payload().T[p] = s.temperature[k];
+                particles.payload().nParticle[p] = s.number[g];
+                particles.payload().group[p] = g;
+            }
+            total += n;
+        }
+    }
+    return total;
+}
