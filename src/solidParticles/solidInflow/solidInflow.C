@@ -9,6 +9,7 @@
 #include "wordRes.H"
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
@@ -153,7 +154,7 @@ void Foam::solidInflow::readInflows()
     const polyMesh& mesh = cells_.mesh();
     const polyBoundaryMesh& patches = mesh.boundaryMesh();
     const dictionary& inflows = dict_.subOrEmptyDict("inflows");
-    boolList taken(patches.size(), false);
+    std::vector<bool> taken(patches.size(), false);
     wordList open;
     for (const polyPatch& patch : patches)
     {
@@ -391,17 +392,24 @@ Foam::label Foam::solidInflow::enter
             continue;
         }
         impact::counterRandom rnd(seed, stream + i, step);
+        impact::counterRandom ofAllSteps(seed, stream + i, 0);
         const scalar sum = s.flow.back();
         forAll(groups_, g)
         {
             const group& size = groups_[g];
+            const scalar phase = ofAllSteps.uniform();
             if (!(size.massFraction > 0))
             {
                 continue;
             }
-            const label n = rounded
+
+            // The whole numbers that the sum up to now has passed
+            const scalar mean =
+                sum*size.massFraction*deltaT/(size.mass*s.number[g]);
+            const label n = label
             (
-                sum*size.massFraction*deltaT/(size.mass*s.number[g]), rnd
+                std::floor(mean*step + phase)
+              - std::floor(mean*(step - 1.) + phase)
             );
             const scalar shift = rnd.uniform();
             for (label j = 0; j < n; ++j)

@@ -519,8 +519,7 @@ void Foam::solidParticles::report()
     (
         std::int64_t* value :
         {
-            &c.pairs, &c.candidates, &c.collisions, &c.beyond, &c.refused,
-            &c.holding
+            &c.pairs, &c.candidates, &c.collisions, &c.beyond, &c.holding
         }
     )
     {
@@ -557,11 +556,10 @@ void Foam::solidParticles::report()
             << "    collisions with solids: " << c.collisions << " of "
             << c.candidates << " candidates; greatest number of hits of a"
             << " molecule in a step: " << c.greatestHits << nl;
-        if (c.refused || c.beyond)
+        if (c.beyond)
         {
-            Info<< "    " << c.refused << " collisions refused for want of"
-                << " heat, " << c.beyond << " beyond the greatest relative"
-                << " speed" << nl;
+            Info<< "    " << c.beyond << " of them beyond the greatest relative"
+                << " speed, which collisions have changed" << nl;
         }
         if (!ledger_.empty())
         {

@@ -102,46 +102,54 @@ void impact::solidExchange::scatter
         const int zeta = kind.internalDegreesOfFreedom;
         double internal = zeta ? gas.internalEnergy[i] : 0;
         const double internalBefore = internal;
+        const double own = weight*m;
+        const double reduced = both ? own*share/(own + share) : own;
         vector3 leaving;
         if (rnd.uniform() < material_.accommodation)
         {
-            const double kT = maxwellian::boltzmann*s.temperature;
-            const double speed = std::sqrt
-            (
-                -2*kT/m*std::log(rnd.uniform()*rnd.uniform())
-            );
+            double speed;
+            if (both)
+            {
+                // The molecule's energy is a part of all energy of the pair,
+                // as its degrees of freedom are of theirs
+                const double capacity = share*material_.specificHeat;
+                const double all =
+                    0.5*reduced*c*c + weight*internal
+                  + capacity*s.temperature;
+                const double out = all*maxwellian::betaVariate
+                (
+                    2 + 0.5*zeta, capacity/(weight*maxwellian::boltzmann), rnd
+                );
+                const double turning =
+                    zeta ? maxwellian::betaVariate(0.5*zeta, 2, rnd) : 0;
+                internal = out*turning/weight;
+                speed = std::sqrt(2*out*(1 - turning)/reduced);
+                s.temperature = (all - out)/capacity;
+            }
+            else
+            {
+                const double kT = maxwellian::boltzmann*s.temperature;
+                speed = std::sqrt
+                (
+                    -2*kT/m*std::log(rnd.uniform()*rnd.uniform())
+                );
+                internal =
+                    zeta ? kT*maxwellian::internalEnergy(zeta, rnd) : 0;
+            }
             leaving = speed
                *sphereReflection::diffuse(law_, (1/c)*relative, rnd);
-            internal = zeta ? kT*maxwellian::internalEnergy(zeta, rnd) : 0;
         }
         else
         {
             leaving = c*sphereReflection::specular(rnd);
         }
 
-        vector3 after;
+        vector3 after = s.velocity + leaving;
         if (both)
         {
-            const double own = weight*m;
-            const double reduced = own*share/(own + share);
-            const double heat =
-                0.5*reduced*(c*c - dot(leaving, leaving))
-              + weight*(internalBefore - internal);
-            const double T =
-                s.temperature + heat/(share*material_.specificHeat);
-            if (!(T > 0))
-            {
-                ++total.refused;
-                continue;
-            }
             const vector3 impulse = reduced*(leaving - relative);
             after = before + (1/own)*impulse;
             s.velocity = s.velocity - (1/share)*impulse;
-            s.temperature = T;
-        }
-        else
-        {
-            after = s.velocity + leaving;
         }
 
         ++total.collisions;

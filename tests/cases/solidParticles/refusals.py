@@ -1,0 +1,171 @@
+"""Bad entries of solidParticleProperties stop the run before the first time
+step, with the file, the entry, its value and what would be valid."""
+
+import os
+import re
+import shutil
+
+from caseTools import complaint, copy_case, edit, run, verdict
+from dsmcTools import write_gas
+from solidTools import PROPERTIES, fill, write_solids
+
+TYPES = {"xMin": "patch", "xMax": "patch", "yMin": "wall", "yMax": "wall",
+         "zMin": "symmetryPlane", "zMax": "symmetryPlane"}
+
+write_gas("good", TYPES, (2, 2, 2), weight=1e15, inflow="FreeStream",
+          U=(100, 0, 0),
+          more="FreeStreamCoeffs { numberDensities { Ar 1e20; }"
+          " patches (xMin); }\n",
+          control={"deltaT": 1e-6, "endTime": 1e-6})
+write_solids(
+    "good", fill(1e-3)
+    + "realPerSimulator 1000;\n"
+    "inflows { xMin { massLoading 0.5; velocity gas; temperature 900; } }\n"
+    "sampling { start 0; every 1; fields (U); }\nrandomSeed 7;\n"
+    "deflection exact;\n")
+
+
+def replace(old, new):
+    return lambda case: edit(case, PROPERTIES, old, new)
+
+
+EDITS = [   # name, change, texts that the message must hold
+    ("density", replace("density 2700.0", "density 0"),
+     ["material", "Entry density is 0", "density > 0"]),
+    ("heat", replace("Heat 900.0", "Heat -1"),
+     ["specificHeat is -1", "specificHeat > 0"]),
+    ("diameter", replace("(3e-06 6e-06)", "(3e-06 -6e-06)"),
+     ["groups", "diameters -6e-06", "> 0"]),
+    ("fractions", replace("(0.5 0.5)", "(0.5)"),
+     ["number of massFractions 1", "2"]),
+    ("fractionsZero", replace("(0.5 0.5)", "(0 0)"),
+     ["sum of massFractions 0", "> 0"]),
+    ("groupType", replace("type list", "type array"),
+     ["Unknown type array", "list lognormal"]),
+    ("accommodation", replace("accommodation 1.0", "accommodation 1.5"),
+     ["solidParticleProperties", "accommodation 1.5", "[0, 1]"]),
+    ("accommodationNegative",
+     replace("accommodation 1.0", "accommodation -0.1"),
+     ["accommodation -0.1", "[0, 1]"]),
+    ("exchange", replace("exchange perCell", "exchange perPair"),
+     ["Unknown exchange perPair", "perCell perCollision none"]),
+    ("deflection", replace("deflection exact", "deflection fit"),
+     ["Unknown deflection fit", "exact polynomial"]),
+    ("weight", replace("realPerSimulator 1000", "realPerSimulator 0"),
+     ["realPerSimulator holds 0", "> 0"]),
+    ("weightNegative", replace("realPerSimulator 1000",
+                               "realPerSimulator (10 -3)"),
+     ["realPerSimulator holds -3", "> 0"]),
+    ("weights", replace("realPerSimulator 1000", "realPerSimulator (1 2 3)"),
+     ["realPerSimulator has 3 numbers for 2 groups"]),
+    ("noWeight", replace("realPerSimulator 1000;", ""),
+     ["simulatorsPerStep", "realPerSimulator"]),
+    ("simulators", replace("simulators 100", "simulators 0"),
+     ["simulators holds 0", "> 0"]),
+    ("concentration", replace("concentration 0.001", "concentration -1"),
+     ["concentration is -1", "> 0"]),
+    ("fillTemperature", replace("temperature 300.0", "temperature 0"),
+     ["temperature is 0", "> 0"]),
+    ("region", replace("region all", "region sphere"),
+     ["Unknown region sphere", "all box zone"]),
+    ("emptyBox", replace("region all", "region box; box (2 2 2) (3 3 3)"),
+     ["no cell in the region box"]),
+    ("zone", replace("region all", "region zone; zone cloud"),
+     ["Unknown zone cloud"]),
+    ("inflowPatch", replace("xMin { mass", "yMin { mass"),
+     ["Entry yMin of inflows matches no open patch", "xMin xMax"]),
+    ("inflowWithoutGas", replace("xMin { mass", "xMax { mass"),
+     ["outside patch xMax", "mass flux is 0", "an inflow of gas"]),
+    ("loading", replace("massLoading 0.5", "massLoading 0"),
+     ["massLoading is 0", "> 0"]),
+    ("twoFlows", replace("massLoading 0.5", "massLoading 0.5; massFlow 1"),
+     ["one of the entries massFlow and massLoading"]),
+    ("inflowVelocity", replace("velocity gas", "velocity (-100 0 0)"),
+     ["Entry velocity is (-100 0 0)", "into the domain"]),
+    ("inflowTemperature", replace("temperature 900", "temperature -900"),
+     ["temperature is -900", "> 0"]),
+    ("noWalls", replace('walls { ".*" { type specular; } }', ""),
+     ["No entry of walls is for the wall yMin"]),
+    ("wallName", replace('".*" { type specular; }', 'xMin { type specular; }'),
+     ["Entry xMin matches no wall", "yMin yMax"]),
+    ("wallType", replace("type specular", "type sticky"),
+     ["Unknown type sticky", "specular hardSphereWall"]),
+    ("wallLaw", replace("type specular",
+                        "type hardSphereWall; restitution 1.2; friction 0"),
+     ["restitution 1.2", "[0, 1]"]),
+    ("unknownEntry", replace("randomSeed 7", "seed 7"),
+     ["Unknown entry seed", "randomSeed"]),
+    ("unknownFillEntry", replace("simulators 100", "simulator 100"),
+     ["Unknown entry simulator"]),
+    ("field", replace("fields (U)", "fields (V)"),
+     ["Unknown fields V", "numberDensity concentration U T"]),
+    ("sampling", replace("every 1", "every 0"),
+     ["Entry every is 0", ">= 1"]),
+    ("report", replace("reportEvery 1", "reportEvery 0"),
+     ["reportEvery is 0", ">= 1"]),
+    ("seed", replace("randomSeed 7", "randomSeed -7"),
+     ["randomSeed is -7", ">= 0"]),
+    ("species", lambda case: edit(case, "constant/dsmcProperties",
+                                  "omega 0.81;", ""),
+     ["omega"]),
+]
+
+status, text = run(copy_case("good", "unchanged"), "dsmcParcelFoam")
+verdict("good_runs", status == 0
+        and "cells are smaller" not in text, complaint(text))
+
+case = copy_case("good", "large")
+edit(case, PROPERTIES, "(3e-06 6e-06)", "(3e-06 0.06)")
+status, text = run(case, "dsmcParcelFoam")
+verdict("large_warnsOnce", status == 0 and text.count("cells are smaller") == 1
+        and "0.06 m. 8 of 8 cells are smaller" in text and "0.05 m" in text,
+        complaint(text))
+
+# The annotated dictionary, on patches with the names that it has; then with
+# its other choices
+with open(f"{os.environ['PARCEL_IMPACT_DIR']}/etc/caseDicts/annotated/"
+          "solidParticleProperties") as file:
+    annotated = file.read()
+write_gas("annotated", dict(TYPES, zMin="wall", zMax="wall"), (4, 2, 2),
+          (2e-3, 1e-4, 1e-4), weight=1e10, density=1e22, inflow="FreeStream",
+          U=(100, 0, 0),
+          more="FreeStreamCoeffs { numberDensities { Ar 1e22; }"
+          " patches (xMin); }\n",
+          control={"deltaT": 1e-8, "endTime": 1e-8})
+with open(f"annotated/{PROPERTIES}", "w") as file:
+    file.write("FoamFile { version 2.0; format ascii; class dictionary;"
+               " object solidParticleProperties; }\n" + annotated)
+status, text = run("annotated", "dsmcParcelFoam")
+verdict("annotated_runs", status == 0, complaint(text))
+
+lognormal = re.search(r"\n// groups\n(// .*\n)*", annotated).group(0)
+other = annotated.replace(lognormal, "") \
+    .replace(re.search(r"\ngroups\n\{.*?\n\}", annotated, re.S).group(0),
+             lognormal.replace("\n// ", "\n")) \
+    .replace("(1e3 2e2)", "1e3").replace("exchange        perCell",
+                                         "exchange        perCollision") \
+    .replace("deflection      exact", "deflection      polynomial") \
+    .replace("massLoading     0.5;", "massFlow     1e-6;") \
+    .replace("region          box;", "region          all;") \
+    .replace("        box             (0 0 0) (1e-3 1e-4 1e-4);\n", "") \
+    .replace("// simulators   1000", "simulators   1000") \
+    .replace("// simulatorsPerStep   2", "simulatorsPerStep   2") \
+    .replace("type            specular", "type            stick")
+shutil.rmtree("annotated/1e-08")
+with open(f"annotated/{PROPERTIES}", "w") as file:
+    file.write("FoamFile { version 2.0; format ascii; class dictionary;"
+               " object solidParticleProperties; }\n" + other)
+status, text = run("annotated", "dsmcParcelFoam")
+verdict("annotated_otherChoices", status == 0
+        and "5 groups" in text, complaint(text))
+
+for name, change, texts in EDITS:
+    case = copy_case("good", "bad_" + name)
+    change(case)
+    status, text = run(case, "dsmcParcelFoam")
+    flat = " ".join(text.split())
+    missing = [t for t in texts if t not in flat]
+    verdict(f"refuses_{name}", status != 0 and not missing
+            and "Starting time loop" not in text,
+            f"status {status}, message lacks {missing}: {complaint(text)}"
+            if status == 0 or missing else complaint(text)[:100])

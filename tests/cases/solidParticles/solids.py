@@ -1,0 +1,210 @@
+"""Rebound, inflow, deposits, balances, restart, ranks and means."""
+
+import os
+import re
+import shutil
+
+import numpy as np
+
+from caseTools import (copy_case, decompose, edit, must, read_field, times_of,
+                       verdict)
+from dsmcTools import NITROGEN, read_molecules, read_wall, solve, write_gas
+from solidTools import (NUMBER, changes, fill, read_solids, tally,
+                        write_solids)
+
+PERIODIC = dict.fromkeys(("xMin", "xMax", "yMin", "yMax", "zMin", "zMax"),
+                         "cyclic")
+THIN = {"density": 1e12, "weight": 1e3}     # no force worth the name
+K = 1.380649e-23
+
+# --- rebound: one law a wall, up and down in y; x tells who is who
+types = dict(PERIODIC, yMin="wall", yMax="wall")
+write_gas("rebound", types, (4, 4, 4), (0.01, 0.01, 0.01), **THIN,
+          collisions="none",
+          control={"deltaT": 1e-4, "endTime": 1e-2, "writeInterval": 1})
+write_solids(
+    "rebound", fill(1e-9, (0, -50, 0), simulators=40) + "walls\n{\n"
+    " yMin { type hardSphereWall; restitution 0.8; friction 0.3; }\n"
+    " yMax { type semiEmpiricalRebound; normal 0.7; tangential 0.9;"
+    " criticalAngle 90; }\n}\n", exchange="none", walls=None)
+log = solve("rebound")
+names = times_of("rebound")[1:]
+first, last = (read_solids("rebound", t) for t in (names[0], names[-1]))
+orders = [np.argsort(s["x"][:, 0]) for s in (first, last)]
+a, b = ({k: v[o] for k, v in s.items()}
+        for s, o in zip((first, last), orders))
+y, v = a["x"][:, 1].copy(), a["U"][:, 1].copy()
+for i in range(len(y)):
+    left = float(names[-1]) - float(names[0])
+    while True:
+        t = -y[i]/v[i] if v[i] < 0 else (0.01 - y[i])/v[i]
+        if t > left:
+            y[i] += v[i]*left
+            break
+        left -= t
+        y[i], v[i] = (0., -0.8*v[i]) if v[i] < 0 else (0.01, -0.7*v[i])
+worst = max(np.abs(b["x"][:, 1] - y).max()/0.01,
+            np.abs(b["U"][:, 1]/v - 1).max())
+verdict("rebound_exact", len(y) == 80 and worst < 1e-6
+        and np.abs(v).min() < 10,
+        f"{len(y)} particles, greatest deviation {worst:.1e} of position and"
+        f" velocity, speeds down to {np.abs(v).min():.3g} of 50 m/s")
+verdict("rebound_sizes", np.allclose(
+    b["d"], np.where(b["group"] == 0, 3e-6, 6e-6)), "diameters")
+
+# --- a steady beam onto a wall that keeps what arrives, and its means
+types = dict(PERIODIC, xMin="patch", xMax="wall")
+write_gas("beam", types, (8, 4, 4), (0.02, 0.01, 0.01), **THIN,
+          collisions="none", wallT={"xMax": 300.},
+          control={"deltaT": 1e-5, "endTime": 2e-3})
+write_solids(
+    "beam", "inflows { xMin { massFlow 2e-6; velocity (100 0 0);"
+    " temperature 800; simulatorsPerStep (3.3 2.1); } }\n"
+    "sampling { start 1e-3; fields (numberDensity concentration U T exchange"
+    " surface); }\n", walls="stick", exchange="none")
+log = solve("beam")
+end = times_of("beam")[-1]
+entered, stuck = tally(log, "entered"), tally(log, "stuck")
+now = read_solids("beam", end)
+verdict("beam_massEntered", abs(entered[2]/4e-9 - 1) < 2e-3,
+        f"{entered[2]:.6g} kg of 4e-9 kg")
+flux = read_wall("beam", end, "massFlux.solids", "xMax")
+T = read_wall("beam", end, "impactT.solids", "xMax")
+energy = read_wall("beam", end, "energyFlux.solids", "xMax")
+verdict("beam_surface", abs(flux.mean()/2e-2 - 1) < 0.01
+        and np.allclose(T, 800, rtol=1e-3)
+        and np.allclose(energy/flux, 5e3, rtol=1e-3),
+        f"mass flux {flux.mean():.5g} of 0.02 kg/(m2 s), temperature"
+        f" {T.mean():.5g} K, energy {np.mean(energy/flux):.5g} J/kg")
+rho = read_field(f"beam/{end}/concentration.solids")
+U = read_field(f"beam/{end}/U.solids")
+n = [read_field(f"beam/{end}/numberDensity.solids{g}") for g in (0, 1)]
+verdict("beam_fields", abs(rho.mean()/2e-4 - 1) < 0.01
+        and np.allclose(U, [100, 0, 0], atol=0.1)
+        and abs(n[0].mean()/n[1].mean() - 8) < 0.2,
+        f"concentration {rho.mean():.5g} of 2e-4 kg/m3, numbers of groups"
+        f" {n[0].mean()/n[1].mean():.4g} to 1 of 8")
+mass = 2700*np.pi/6*now["d"]**3*now["nParticle"]
+verdict("beam_massKept", abs((stuck[2] + mass.sum())/entered[2] - 1) < 1e-9
+        and stuck[0] > 100, f"{stuck[0]:.0f} deposited")
+
+copy_case("beam", "beamAgain")
+edit("beamAgain", "system/controlDict", "endTime 0.002", "endTime 0.0022")
+again = solve("beamAgain")
+deposited = tally(again, "deposited on xMax")
+verdict("beam_restartGoesOn", deposited[2] > stuck[2]
+        and tally(again, "initial")[0] == 0
+        and abs(read_wall("beamAgain", times_of("beamAgain")[-1],
+                          "massFlux.solids", "xMax").mean()/2e-2 - 1) < 0.01,
+        f"{deposited[2]:.4g} kg deposited after {stuck[2]:.4g} kg")
+
+# --- an inflow that goes with the gas
+types = dict(PERIODIC, xMin="patch", xMax="patch")
+write_gas("loaded", types, (8, 4, 4), (0.02, 0.01, 0.01), weight=1e15,
+          density=1e22, T=500., U=(800, 0, 0), gas={"N2": NITROGEN},
+          inflow="FreeStream", collisions="none",
+          more="FreeStreamCoeffs { numberDensities { N2 1e22; }"
+          " patches (xMin); }\n",
+          control={"deltaT": 1e-6, "endTime": 1e-4})
+write_solids("loaded", "inflows { xMin { massLoading 0.5; velocity gas;"
+             " temperature gas; simulatorsPerStep 5; } }\n", walls=None)
+log = solve("loaded")
+exact = 0.5*1e22*NITROGEN["mass"]*800*1e-4*1e-4
+entered = tally(log, "entered")
+now = read_solids("loaded", times_of("loaded")[-1])
+verdict("loaded_massLoading", abs(entered[2]/exact - 1) < 5e-3
+        and tally(log, "left")[0] > 0,
+        f"{entered[2]/exact:.5f} of half the gas's mass flow")
+verdict("loaded_stateOfTheGas", abs(now["U"][:, 0].mean()/800 - 1) < 0.02
+        and abs(now["T"].mean()/500 - 1) < 0.03,
+        f"{now['U'][:, 0].mean():.4g} m/s, {now['T'].mean():.4g} K")
+verdict("loaded_balance", changes(log).max() < 1e-12,
+        f"greatest changes {changes(log)}")
+
+# --- both phases in a closed box: balance, restart to the bit, two ranks
+types = dict(PERIODIC, zMin="wall", zMax="wall")
+for exchange in ("perCell", "perCollision"):
+    name = f"box_{exchange}"
+    write_gas(name, types, (4, 4, 4), (0.004, 0.004, 0.004), weight=2e12,
+              density=1e23, T=400., gas={"N2": NITROGEN},
+              collisions="LarsenBorgnakkeVariableHardSphere",
+              wall="SpecularReflection",
+              control={"deltaT": 5e-7, "endTime": 2e-5, "writeInterval": 20})
+    write_solids(
+        name, fill(5e-3, (300, 0, -100), 2000., 1000)
+        + "sampling { fields (numberDensity U T exchange surface); }\n",
+        exchange=exchange)
+    copy_case(name, name + "_parallel")
+    log = solve(name)
+    worst = changes(log)
+    verdict(f"{name}_balance", worst.max() < 1e-12,
+            f"greatest changes {worst} in 40 steps")
+
+    names = times_of(name)
+    copy_case(name, name + "_again")
+    shutil.rmtree(f"{name}_again/{names[-1]}")
+    solve(name + "_again")
+    straight, again = (read_solids(c, names[-1])
+                       for c in (name, name + "_again"))
+    gas = [read_molecules(c, names[-1]) for c in (name, name + "_again")]
+    same = (all(np.array_equal(straight[k], again[k]) for k in straight)
+            and np.array_equal(gas[0][0], gas[1][0])
+            and np.array_equal(gas[0][2]["U"], gas[1][2]["U"])
+            and np.array_equal(gas[0][2]["Ei"], gas[1][2]["Ei"]))
+    fields = max(np.abs(read_field(f"{name}/{names[-1]}/{f}")
+                        - read_field(f"{name}_again/{names[-1]}/{f}")).max()
+                 / np.abs(read_field(f"{name}/{names[-1]}/{f}")).max()
+                 for f in ("U.solids", "T.solids0", "momentumRate.gas",
+                           "energyRate.solids", "numberDensity.solids1"))
+    verdict(f"{name}_restart", same and fields < 1e-11,
+            f"bits {'same' if same else 'differ'}, means differ by"
+            f" {fields:.1e}")
+
+    other = name + "_parallel"
+    decompose(other, (2, 1, 1))
+    log2 = solve(other, 2)
+    must(other, "reconstructPar")
+    worst = changes(log2)
+    two = read_solids(other, times_of(other)[-1])
+    means = [np.average(s["T"], weights=s["d"]**3*s["nParticle"])
+             for s in (straight, two)]
+    # All spheres have the same weight
+    error = 5*np.sqrt((straight["T"].var() + two["T"].var())/2000)
+    verdict(f"{name}_twoRanks", worst.max() < 1e-12 and len(two["T"]) == 2000
+            and 2000 - means[0] > 2*error
+            and abs(means[0] - means[1]) < error,
+            f"greatest changes {worst}, {len(two['T'])} particles, mean"
+            f" temperatures {means[0]:.6g} and {means[1]:.6g} K")
+
+# --- the rates that the fields hold are those of the particles
+end = times_of("box_perCollision")[-1]
+V = 0.004**3/64
+for kind, k in (("momentumRate", 0), ("energyRate", None)):
+    solids, gas = (read_field(f"box_perCollision/{end}/{kind}.{p}")
+                   for p in ("solids", "gas"))
+    scale = np.abs(solids).max()
+    verdict(f"box_{kind}_isOpposite", np.abs(solids + gas).max() < 1e-10*scale,
+            f"greatest sum {np.abs(solids + gas).max()/scale:.1e}")
+s = read_solids("box_perCell", end)
+m = 2700*np.pi/6*s["d"]**3*s["nParticle"]
+gained = (m[:, None]*(s["U"] - [300, 0, -100])).sum(axis=0)
+rate = read_field(f"box_perCell/{end}/momentumRate.solids").sum(axis=0)*V*2e-5
+verdict("box_ratesOfParticles", abs(rate[0]/gained[0] - 1) < 1e-8,
+        f"{rate[0]/gained[0]:.10f} of the momentum gained along x")
+
+# --- a fill in a box, a run without the file
+write_gas("part", PERIODIC, (4, 4, 4), (0.004, 0.004, 0.004), **THIN,
+          collisions="none", control={"deltaT": 1e-9, "endTime": 1e-9})
+write_solids("part", fill(1e-3, region="region box;"
+                          " box (0 0 0) (0.002 0.004 0.004);"),
+             exchange="none", walls=None)
+log = solve("part")
+s = read_solids("part", times_of("part")[-1])
+total = (2700*np.pi/6*s["d"]**3*s["nParticle"]).sum()
+verdict("part_fill", s["x"][:, 0].max() < 0.002
+        and abs(total/(1e-3*0.002*0.004**2) - 1) < 1e-9
+        and len(s["T"]) == 200, f"{len(s['T'])} particles, {total:.6g} kg")
+os.remove("part/constant/solidParticleProperties")
+shutil.rmtree(f"part/{times_of('part')[-1]}")
+log = solve("part")
+verdict("part_withoutSolids", "olid particles" not in log, "not mentioned")
