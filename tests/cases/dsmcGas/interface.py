@@ -57,22 +57,22 @@ verdict("interface_place", np.all(np.abs(found["x"] - 0.6) < 1e-12)
         f"x from {found['x'].min():.6g} to {found['x'].max():.6g} m,"
         f" ux {found['ux'].min():.1f} to {found['ux'].max():.1f} m/s")
 
-copy_case("near", "again")
-last = times_of("again")[-1]
-must("again", "rm", "-r", last, f"postProcessing/particleInterface/{last}")
-solve("again")
-again = records("again")
+copy_case("near", "nearAgain")
+last = times_of("nearAgain")[-1]
+must("nearAgain", "rm", "-r", last, f"postProcessing/particleInterface/{last}")
+solve("nearAgain")
+again = records("nearAgain")
 same = len(again["x"]) == len(found["x"]) and max(
     np.max(np.abs(again[name]/found[name] - 1)) for name in found
     if name not in ("uy", "uz"))
 verdict("interface_restart", same is not False and same < 1e-9,
         f"{len(again['x'])} records, greatest difference {same:.1e}")
 
-copy_case("near", "ranks")
-must("ranks", "rm", "-r", *times_of("ranks")[1:], "postProcessing")
-decompose("ranks")
-solve("ranks", 2)
-two = records("ranks")
+copy_case("near", "nearRanks")
+must("nearRanks", "rm", "-r", *times_of("nearRanks")[1:], "postProcessing")
+decompose("nearRanks")
+solve("nearRanks", 2)
+two = records("nearRanks")
 ratio = two["weight"].sum()/found["weight"].sum()
 verdict("interface_twoRanks", abs(ratio - 1) < 0.02,
         f"{ratio:.4f} of the particles per second of one rank")
