@@ -11,7 +11,7 @@ PROPERTIES = "constant/solidParticleProperties"
 NUMBER = r"([-+0-9.eE]+)"
 
 
-def write_solids(case, more="", diameters=(3e-6, 6e-6), fractions=(0.5, 0.5),
+def write_solids(case, more="", diameters=(3e-6, 6e-6), fractions=None,
                  density=2700., heat=900., accommodation=1.,
                  exchange="perCell", walls="specular", report=1):
     """solidParticleProperties; 'more' has fills, inflows and the rest."""
@@ -22,7 +22,7 @@ def write_solids(case, more="", diameters=(3e-6, 6e-6), fractions=(0.5, 0.5),
         case, PROPERTIES,
         f"material {{ density {density!r}; specificHeat {heat!r}; }}\n"
         f"groups {{ type list; diameters {numbers(diameters)};"
-        f" massFractions {numbers(fractions)}; }}\n"
+        f" massFractions {numbers(fractions or [1.]*len(diameters))}; }}\n"
         f"accommodation {accommodation!r};\nexchange {exchange};\n"
         + (f'walls {{ ".*" {{ type {walls}; }} }}\n' if walls else "")
         + f"reportEvery {report};\n" + more)

@@ -836,10 +836,17 @@ void Foam::solidParticles::exchange()
         {
             continue;
         }
-        const auto g = exchange_->exchange
+        const auto g = checked
         (
-            moleculesOf(celli), spheresOf(celli), gas_.weight(), V[celli],
-            deltaT, ledger, key + celli, step, counts_
+            properties_,
+            [&]
+            {
+                return exchange_->exchange
+                (
+                    moleculesOf(celli), spheresOf(celli), gas_.weight(),
+                    V[celli], deltaT, ledger, key + celli, step, counts_
+                );
+            }
         );
         gains_.solids += g.solids;
         gains_.gas += g.gas;

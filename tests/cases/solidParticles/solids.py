@@ -129,11 +129,11 @@ for exchange in ("perCell", "perCollision"):
               density=1e23, T=400., gas={"N2": NITROGEN},
               collisions="LarsenBorgnakkeVariableHardSphere",
               wall="SpecularReflection",
-              control={"deltaT": 5e-7, "endTime": 2e-5, "writeInterval": 20})
+              control={"deltaT": 1e-6, "endTime": 4e-5, "writeInterval": 20})
     write_solids(
         name, fill(5e-3, (300, 0, -100), 2000., 1000)
         + "sampling { fields (numberDensity U T exchange surface); }\n",
-        exchange=exchange)
+        exchange=exchange, diameters=(1e-6, 2e-6))
     copy_case(name, name + "_parallel")
     log = solve(name)
     worst = changes(log)
@@ -188,7 +188,7 @@ for kind, k in (("momentumRate", 0), ("energyRate", None)):
 s = read_solids("box_perCell", end)
 m = 2700*np.pi/6*s["d"]**3*s["nParticle"]
 gained = (m[:, None]*(s["U"] - [300, 0, -100])).sum(axis=0)
-rate = read_field(f"box_perCell/{end}/momentumRate.solids").sum(axis=0)*V*2e-5
+rate = read_field(f"box_perCell/{end}/momentumRate.solids").sum(axis=0)*V*4e-5
 verdict("box_ratesOfParticles", abs(rate[0]/gained[0] - 1) < 1e-8,
         f"{rate[0]/gained[0]:.10f} of the momentum gained along x")
 

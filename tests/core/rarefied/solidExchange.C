@@ -367,6 +367,19 @@ TEST(solidExchange, aLedgerIsReturnedToTheNextGas)
 
 TEST(solidExchange, refusesBadInput)
 {
+    // More hits in a step than anyone can wait for
+    auto exchange = make(mode::perCell);
+    cell c(10, 0, 300, 1, 300, 1e20);
+    solidExchange::counts counts;
+    balance ledger;
+    EXPECT_THROW
+    (
+        exchange.exchange
+        (
+            c.gas(), c.solids(), 1, 1e-9, 1e-6, ledger, 0, 0, counts
+        ),
+        std::invalid_argument
+    );
     const auto law = sphereReflection::law::exact;
     EXPECT_THROW
     (

@@ -7,6 +7,8 @@
 #include "rangeCheck.H"
 
 #include <cmath>
+#include <sstream>
+#include <stdexcept>
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -227,6 +229,14 @@ impact::solidExchange::gains impact::solidExchange::exchange
             {
                 hits += solids.number[j]*M_PI*body.radius*body.radius
                    *(mag(v0 - b.mean) + b.thermal)*deltaT/volume;
+                if (!(hits < mostHits))
+                {
+                    std::ostringstream text;
+                    text<< "a molecule expects " << hits << " hits by solid"
+                        << " particles in a step. Valid range: < "
+                        << mostHits << "; fewer particles or a shorter step";
+                    throw std::invalid_argument(text.str());
+                }
                 scatter
                 (
                     gas, s, solids.number[j], weight, deltaT/volume, b, rnd,
