@@ -447,7 +447,7 @@ void Foam::dsmcGas::readMolecules()
 {
     const bool found = lagrangianFile::read(mesh_, cloudName, molecules_);
     nStart_ = returnReduce(molecules_.size(), sumOp<label>());
-    if (!found && !inflow_->active())
+    if (!returnReduce(found || inflow_->active(), orOp<bool>()))
     {
         FatalErrorInFunction
             << "No molecules in " << mesh_.time().timePath()/"lagrangian"

@@ -54,6 +54,103 @@ impact::vector3 Foam::freeStream::pointOn
 }
 
 
+Foam::labelList Foam::freeStream::openPatches
+(
+    const dictionary& dict,
+    const word& entryName,
+    const wordRe& expression
+) const
+{
+    const polyBoundaryMesh& patches = cells_.mesh().boundaryMesh();
+    labelList matched;
+    wordList open;
+    forAll(patches, patchi)
+    {
+        if (isType<polyPatch>(patches[patchi]))
+        {
+            open.append(patches[patchi].name());
+            if (expression.match(patches[patchi].name()))
+            {
+                matched.append(patchi);
+            }
+        }
+    }
+    if (matched.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry " << entryName << " holds " << expression
+            << ", which no open patch matches" << nl
+            << "Valid patches: " << open << exit(FatalIOError);
+    }
+    return matched;
+}
+
+
+void Foam::freeStream::addPatch
+(
+    const dictionary& dict,
+    const label patchi,
+    const dictionary& densities,
+    const wordList& names,
+    const scalar weight,
+    const scalarField& T,
+    const vectorField& U
+)
+{
+    const polyPatch& patch = cells_.mesh().boundaryMesh()[patchi];
+    for (const entry& e : densities)
+    {
+        const label typeId = names.find(e.keyword());
+        if (typeId < 0)
+        {
+            FatalIOErrorInFunction(densities)
+                << "Unknown species " << e.keyword() << nl
+                << "Valid species: " << names << exit(FatalIOError);
+        }
+        const scalar density = densities.get<scalar>(e.keyword());
+        if (!(density >= 0))
+        {
+            FatalIOErrorInFunction(densities)
+                << "Entry " << e.keyword() << " is " << density << nl
+                << "Valid range: density >= 0" << exit(FatalIOError);
+        }
+        if (density == 0)
+        {
+            continue;
+        }
+
+        forAll(patch, j)
+        {
+            if (!(T[j] > 0))
+            {
+                FatalIOErrorInFunction(dict)
+                    << "boundaryT is " << T[j] << " on patch "
+                    << patch.name() << ", through which gas enters" << nl
+                    << "Valid range: T > 0" << exit(FatalIOError);
+            }
+            const scalar area = mag(patch.faceAreas()[j]);
+            const vector n = -patch.faceAreas()[j]/area;
+            const vector slip = U[j] - (U[j] & n)*n;
+            source s;
+            s.boundaryFace = patch.start() + j - cells_.mesh().nInternalFaces();
+            s.typeId = typeId;
+            s.temperature = T[j];
+            s.speed = impact::maxwellian::mostProbableSpeed
+            (
+                T[j],
+                species_[typeId].mass
+            );
+            s.speedRatio = (U[j] & n)/s.speed;
+            s.flux = area*density/weight*s.speed
+                *impact::maxwellian::fluxFactor(s.speedRatio);
+            s.inward = {n.x(), n.y(), n.z()};
+            s.slip = {slip.x(), slip.y(), slip.z()};
+            sources_.push_back(s);
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::freeStream::freeStream
@@ -81,108 +178,158 @@ Foam::freeStream::freeStream
             << "Entry InflowBoundaryModel is " << model << nl
             << "Valid models: (FreeStream none)" << exit(FatalIOError);
     }
-    if (!boundaryT || !boundaryU)
-    {
-        FatalIOErrorInFunction(dict)
-            << "InflowBoundaryModel FreeStream needs the fields boundaryT and"
-            << " boundaryU in " << cells.mesh().time().timePath()
-            << exit(FatalIOError);
-    }
-
     const dictionary& coeffs = dict.subDict("FreeStreamCoeffs");
-    const dictionary& densities = coeffs.subDict("numberDensities");
-    const bool all = !coeffs.found("patches");
-    const wordRes chosen
-    (
-        all ? wordRes() : wordRes(coeffs.get<wordRes>("patches"))
-    );
-
-    const polyBoundaryMesh& patches = cells.mesh().boundaryMesh();
-    const auto isOpen = [&](const label patchi)
+    for (const entry& e : coeffs)
     {
-        return isType<polyPatch>(patches[patchi]);
-    };
-    for (const wordRe& expression : chosen)
-    {
-        bool found = false;
-        wordList open;
-        forAll(patches, patchi)
-        {
-            if (isOpen(patchi))
-            {
-                open.append(patches[patchi].name());
-                found = found || expression.match(patches[patchi].name());
-            }
-        }
-        if (!found)
+        const word& name = e.keyword();
+        if
+        (
+            name != "numberDensities" && name != "patches"
+         && name != "inflows"
+        )
         {
             FatalIOErrorInFunction(coeffs)
-                << "Entry patches holds " << expression
-                << ", which no open patch matches" << nl
-                << "Valid patches: " << open << exit(FatalIOError);
+                << "Unknown entry " << name << nl
+                << "Valid entries: (numberDensities patches inflows)"
+                << exit(FatalIOError);
         }
     }
 
-    for (const entry& e : densities)
+    const auto boundaryFieldsNeeded = [&](const dictionary& d)
     {
-        const label typeId = names.find(e.keyword());
-        if (typeId < 0)
+        if (!boundaryT || !boundaryU)
         {
-            FatalIOErrorInFunction(densities)
-                << "Unknown species " << e.keyword() << nl
-                << "Valid species: " << names << exit(FatalIOError);
+            FatalIOErrorInFunction(d)
+                << "InflowBoundaryModel FreeStream needs the fields boundaryT"
+                << " and boundaryU in " << cells.mesh().time().timePath()
+                << exit(FatalIOError);
         }
-        const scalar density = densities.get<scalar>(e.keyword());
-        if (density < 0)
-        {
-            FatalIOErrorInFunction(densities)
-                << "Entry " << e.keyword() << " is " << density << nl
-                << "Valid range: density >= 0" << exit(FatalIOError);
-        }
-        if (density == 0)
-        {
-            continue;
-        }
+    };
 
+    // Gases of their own, in the order of the patches
+    const polyBoundaryMesh& patches = cells.mesh().boundaryMesh();
+    List<const dictionary*> own(patches.size(), nullptr);
+    const dictionary inflows = coeffs.subOrEmptyDict("inflows");
+    for (const entry& e : inflows)
+    {
+        const dictionary& gas = inflows.subDict(e.keyword());
+        for (const entry& part : gas)
+        {
+            const word& name = part.keyword();
+            if
+            (
+                name != "numberDensities" && name != "temperature"
+             && name != "velocity"
+            )
+            {
+                FatalIOErrorInFunction(gas)
+                    << "Unknown entry " << name << nl
+                    << "Valid entries: (numberDensities temperature velocity)"
+                    << exit(FatalIOError);
+            }
+        }
+        for
+        (
+            const label patchi
+          : openPatches(inflows, "inflows", wordRe(e.keyword()))
+        )
+        {
+            if (own[patchi])
+            {
+                FatalIOErrorInFunction(inflows)
+                    << "Entry " << e.keyword() << " is the second that matches"
+                    << " patch " << patches[patchi].name() << nl
+                    << "Valid: one gas behind each patch"
+                    << exit(FatalIOError);
+            }
+            own[patchi] = &gas;
+
+            const label n = patches[patchi].size();
+            scalarField T(n);
+            vectorField U(n);
+            if (gas.found("temperature"))
+            {
+                const scalar value = gas.get<scalar>("temperature");
+                if (!(value > 0))
+                {
+                    FatalIOErrorInFunction(gas)
+                        << "Entry temperature is " << value << nl
+                        << "Valid range: temperature > 0 [K]"
+                        << exit(FatalIOError);
+                }
+                T = value;
+            }
+            else
+            {
+                boundaryFieldsNeeded(gas);
+                T = boundaryT->boundaryField()[patchi];
+            }
+            if (gas.found("velocity"))
+            {
+                U = gas.get<vector>("velocity");
+            }
+            else
+            {
+                boundaryFieldsNeeded(gas);
+                U = boundaryU->boundaryField()[patchi];
+            }
+            addPatch
+            (
+                gas, patchi, gas.subDict("numberDensities"), names, weight, T, U
+            );
+        }
+    }
+    if (inflows.size() && !coeffs.found("numberDensities"))
+    {
+        return;
+    }
+
+    // The gas of the stock model, behind the others
+    boundaryFieldsNeeded(dict);
+    labelList stock;
+    if (coeffs.found("patches"))
+    {
+        for (const wordRe& expression : coeffs.get<wordRes>("patches"))
+        {
+            for
+            (
+                const label patchi : openPatches(coeffs, "patches", expression)
+            )
+            {
+                if (own[patchi])
+                {
+                    FatalIOErrorInFunction(coeffs)
+                        << "Entry patches holds " << expression
+                        << ", which matches patch " << patches[patchi].name()
+                        << " of inflows" << nl
+                        << "Valid: one gas behind each patch"
+                        << exit(FatalIOError);
+                }
+                if (!stock.found(patchi))
+                {
+                    stock.append(patchi);
+                }
+            }
+        }
+    }
+    else
+    {
         forAll(patches, patchi)
         {
-            const polyPatch& patch = patches[patchi];
-            if (!isOpen(patchi) || !(all || chosen.match(patch.name())))
+            if (isType<polyPatch>(patches[patchi]) && !own[patchi])
             {
-                continue;
-            }
-            const scalarField& T = boundaryT->boundaryField()[patchi];
-            const vectorField& U = boundaryU->boundaryField()[patchi];
-            forAll(patch, j)
-            {
-                if (!(T[j] > 0))
-                {
-                    FatalIOErrorInFunction(dict)
-                        << "boundaryT is " << T[j] << " on patch "
-                        << patch.name() << ", through which gas enters" << nl
-                        << "Valid range: T > 0" << exit(FatalIOError);
-                }
-                const scalar area = mag(patch.faceAreas()[j]);
-                const vector n = -patch.faceAreas()[j]/area;
-                const vector slip = U[j] - (U[j] & n)*n;
-                source s;
-                s.boundaryFace =
-                    patch.start() + j - cells.mesh().nInternalFaces();
-                s.typeId = typeId;
-                s.temperature = T[j];
-                s.speed = impact::maxwellian::mostProbableSpeed
-                (
-                    T[j],
-                    species[typeId].mass
-                );
-                s.speedRatio = (U[j] & n)/s.speed;
-                s.flux = area*density/weight*s.speed
-                    *impact::maxwellian::fluxFactor(s.speedRatio);
-                s.inward = {n.x(), n.y(), n.z()};
-                s.slip = {slip.x(), slip.y(), slip.z()};
-                sources_.push_back(s);
+                stock.append(patchi);
             }
         }
+    }
+    for (const label patchi : stock)
+    {
+        addPatch
+        (
+            dict, patchi, coeffs.subDict("numberDensities"), names, weight,
+            boundaryT->boundaryField()[patchi],
+            boundaryU->boundaryField()[patchi]
+        );
     }
 }
 

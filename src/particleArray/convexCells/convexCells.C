@@ -403,13 +403,13 @@ void Foam::convexCells::buildBoundary()
         boundaryKind kind = open;
         int processorNo = -1;
 
-        if (isA<cyclicAMIPolyPatch>(patch) || isA<wedgePolyPatch>(patch))
+        if (isA<cyclicAMIPolyPatch>(patch))
         {
             FatalErrorInFunction
                 << "Patch " << patch.name() << " of type " << patch.type()
                 << " is not supported by " << "face-plane tracking."
                 << " Valid types: patch, wall, symmetry, symmetryPlane,"
-                << " empty, cyclic, processor" << exit(FatalError);
+                << " wedge, empty, cyclic, processor" << exit(FatalError);
         }
         if (isA<wallPolyPatch>(patch))
         {
@@ -419,6 +419,7 @@ void Foam::convexCells::buildBoundary()
         (
             isA<symmetryPolyPatch>(patch)
          || isA<symmetryPlanePolyPatch>(patch)
+         || isA<wedgePolyPatch>(patch)
          || isA<emptyPolyPatch>(patch)
         )
         {

@@ -128,6 +128,9 @@ void Foam::particleArray<Payload>::walk
             }
             case convexCells::open:
             {
+                x_[i] = x.x;
+                y_[i] = x.y;
+                z_[i] = x.z;
                 boundary.leave(i, facei);
                 cell_[i] = -1;
                 return;

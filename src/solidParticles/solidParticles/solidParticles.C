@@ -78,9 +78,23 @@ public:
         boundaryU_(solids.gas_.boundaryU())
     {}
 
-    void leave(const label i, const label)
+    void leave(const label i, const label boundaryFacei)
     {
         count(solids_.tally_[left], i);
+        if (solids_.interface_.valid())
+        {
+            const solidArray& particles = solids_.particles_;
+            const solidData& data = particles.payload();
+            solids_.interface_->add
+            (
+                solids_.cells_.boundary()[boundaryFacei].patch,
+                particles.position(i),
+                particles.velocity(i),
+                data.T[i],
+                solids_.groups_[data.group[i]].diameter,
+                data.nParticle[i]
+            );
+        }
     }
 
     bool hitWall
@@ -715,7 +729,7 @@ Foam::solidParticles::solidParticles
         {
             "material", "groups", "accommodation", "exchange", "deflection",
             "realPerSimulator", "fills", "inflows", "walls", "sampling",
-            "reportEvery", "randomSeed"
+            "interface", "reportEvery", "randomSeed"
         }
     );
     if (reportEvery_ < 1)
@@ -752,6 +766,13 @@ Foam::solidParticles::solidParticles
             new solidFields(properties_.subDict("sampling"), mesh, mass)
         );
     }
+    if (properties_.found("interface"))
+    {
+        interface_.reset
+        (
+            new solidInterface(properties_.subDict("interface"), mesh)
+        );
+    }
     describe();
     warnOfLargeParticles();
 }
@@ -776,6 +797,10 @@ void Foam::solidParticles::move()
         ++t.simulators;
         t.number += data.nParticle[i];
         t.mass += data.nParticle[i]*groups_[data.group[i]].mass;
+    }
+    if (interface_.valid())
+    {
+        interface_->beginStep();
     }
     boundaries boundary(*this);
     particles_.move(deltaT, boundary);
@@ -905,6 +930,10 @@ void Foam::solidParticles::info() const
         << returnReduce(moveTime_, sumOp<scalar>()) << " s moving, "
         << returnReduce(exchangeTime_, sumOp<scalar>())
         << " s exchanging with the gas" << nl << endl;
+    if (interface_.valid())
+    {
+        interface_->info();
+    }
     if (balance - lost != n)
     {
         FatalErrorInFunction
@@ -943,6 +972,10 @@ bool Foam::solidParticles::writeObject
     if (fields_.valid())
     {
         fields_->writeState();
+    }
+    if (interface_.valid())
+    {
+        interface_->write();
     }
     return true;
 }

@@ -12,6 +12,7 @@ Description
 #include "basicReactingCloud.H"
 #include "basicReactingMultiphaseCloud.H"
 #include "basicSpinningCloud.H"
+#include "basicSprayCloud.H"
 #include "basicThermoCloud.H"
 
 #include <cstdlib>
@@ -56,6 +57,7 @@ const std::map<std::string, std::function<bool(const word&)>> clouds
     {"Thermo", selectable<basicThermoCloud>},
     {"Reacting", selectable<basicReactingCloud>},
     {"ReactingMultiphase", selectable<basicReactingMultiphaseCloud>},
+    {"Spray", selectable<basicSprayCloud>},
     {"MPPIC", selectable<basicKinematicMPPICCloud>},
     {"spinning", selectable<basicSpinningCloud>}
 };

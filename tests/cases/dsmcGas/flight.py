@@ -9,7 +9,7 @@ import re
 import numpy as np
 
 from caseTools import (decompose, edit, must, times_of, verdict,
-                       write_block)
+                       write_block, write_foam)
 from dsmcTools import NITROGEN, read_molecules, solve, write_gas
 
 TYPES = {"xMin": "cyclic", "xMax": "cyclic", "yMin": "wall", "yMax": "wall",
@@ -145,3 +145,50 @@ crossed = np.count_nonzero((there[:, 0] < 0) | (there[:, 1] < 0))
 verdict("sector_turns", error < 1e-12 and crossed > 300 and " 0 lost" in log
         and np.all(x1[:, :2] > -1e-12),
         f"largest error {error:.1e}, {crossed} of {len(x1)} were turned")
+
+# --- a wedge of 10 degrees, its tip on the axis: distance from the axis, radial
+#     and axial velocity and the size of the spin, after up to 18 mirrors
+types = {"xMin": "patch", "xMax": "patch", "yMin": "patch", "yMax": "patch",
+         "zMin": "wedge", "zMax": "wedge"}
+write_gas("wedge", dict(types, zMin="patch", zMax="patch"), (8, 8, 1), LENGTHS, weight=1e11, density=5e19,
+          gas={"N2": NITROGEN}, collisions="none", initialise=False,
+          control={"deltaT": 1e-5, "endTime": 8e-5})
+c, s = 0.1*np.cos(np.radians(5)), 0.1*np.sin(np.radians(5))
+write_foam(
+    "wedge", "system/blockMeshDict",
+    f"vertices ((0 0 0) (0.1 0 0) (0.1 {c!r} {-s!r}) (0 {c!r} {-s!r})"
+    f" (0.1 {c!r} {s!r}) (0 {c!r} {s!r}));\n"
+    "blocks (hex (0 1 2 3 0 1 4 5) (8 8 1) simpleGrading (1 1 1));\n"
+    "edges ();\nboundary (\n" + "\n".join(
+        f"{side} {{ type {types[side]}; faces ({face}); }}"
+        for side, face in (
+            ("xMin", "(0 3 5 0)"), ("xMax", "(1 2 4 1)"), ("yMin", ""),
+            ("yMax", "(3 5 4 2)"), ("zMin", "(0 1 2 3)"),
+            ("zMax", "(0 1 4 5)"))) + "\n);")
+must("wedge", "blockMesh")
+for name in ("boundaryT", "boundaryU"):
+    os.remove(f"wedge/0/{name}")
+must("wedge", "dsmcInitialise")
+log = solve("wedge")
+x0, _, u0, e0 = ordered("wedge", "0")
+x1, _, u1, e1 = ordered("wedge", times_of("wedge")[-1])
+stayed = np.isin(e0, e1)
+x0, u0 = x0[stayed], u0[stayed]
+there = x0 + 8e-5*u0
+
+
+def of_axis(x, u):
+    return np.column_stack([
+        x[:, 0], np.hypot(x[:, 1], x[:, 2]),
+        (x[:, 1]*u[:, 1] + x[:, 2]*u[:, 2])*1e-3,
+        np.abs(x[:, 1]*u[:, 2] - x[:, 2]*u[:, 1])*1e-3, u[:, 0]*1e-3])
+
+
+error = np.abs(of_axis(x1, u1) - of_axis(there, u0)).max()
+turned = np.degrees(np.arctan2(there[:, 2], there[:, 1]))
+crossed = np.count_nonzero(np.abs(turned) > 15)
+verdict("wedge_mirrors", error < 1e-12 and crossed > 300 and " 0 lost" in log
+        and np.all(np.abs(x1[:, 2])
+                   < x1[:, 1]*np.tan(np.radians(5)) + 1e-12),
+        f"largest error {error:.1e}, {crossed} of {len(x1)} were mirrored"
+        " twice or more")

@@ -169,6 +169,53 @@ ends = rho.reshape(8, 8, 8)[:, :, (0, -1)].mean(axis=(0, 1))/1e20
 verdict("stream_uniform", np.all(np.abs(ends - 1) < 0.01),
         f"density next to the entrance and the exit {np.round(ends, 4)}")
 
+# --- gases of their own behind two patches, until the first molecules have
+#     crossed half the box: what has come in against the half-range Maxwellians
+GASES = {"Ar": ARGON, "N2": NITROGEN}
+
+
+def crossing(kind, n, T, inward, along):
+    """Fluxes of number, mass, inward and tangential momentum, and energy."""
+    m, zeta = kind["mass"], kind["internalDegreesOfFreedom"]
+    c = np.sqrt(2*K*T/m)
+    s = inward/c
+    gauss, both = np.exp(-s*s), np.sqrt(np.pi)*(1 + math.erf(s))
+    flux = n*c/(2*np.sqrt(np.pi))*(gauss + s*both)
+    S2 = (inward**2 + along**2)/c**2
+    energy = (n*K*T*c/(2*np.sqrt(np.pi))
+              * ((S2 + 2)*gauss + s*(S2 + 2.5)*both) + flux*zeta/2*K*T)
+    through = n*m*c*c/(2*np.sqrt(np.pi))*(s*gauss + (s*s + 0.5)*both)
+    return np.array([flux, m*flux, through, m*along*flux, energy])
+
+
+jets = dict(PERIODIC, xMin="patch", xMax="patch")
+JET = ("xMin { numberDensities { Ar 1e20; N2 3e20; } temperature 200;"
+       " velocity (600 150 0); } ")
+other = crossing(ARGON, 5e19, 700., -200., 100.)*[1, 1, -1, 1, 1]
+jet = (crossing(ARGON, 1e20, 200., 600., 150.)
+       + crossing(NITROGEN, 3e20, 200., 600., 150.))
+for name, more, exact in (
+        ("jets", "inflows { " + JET + "\"x.*x\" { numberDensities"
+         " { Ar 5e19; } } }", jet + other),
+        ("jetAndStream", "numberDensities { Ar 5e19; } inflows { " + JET + "}",
+         jet + other),
+        ("jet", "inflows { " + JET + "}", jet)):
+    write_gas(name, jets, (6, 4, 4), weight=2e11, T=700., U=(200, 100, 0),
+              gas=GASES, collisions="none", inflow="FreeStream",
+              more="FreeStreamCoeffs { " + more + " }", initialise=False,
+              control={"deltaT": 1e-6, "endTime": 2.5e-5})
+    log = solve(name)
+    n = int(re.search(r"= (\d+) now", log).group(1))
+    found = np.array([n*2e11, reported(log, r"mass: (\S+) kg")[-1],
+                      *momenta(log)[-1][:2], energies(log)[-1]])
+    ratio = found/(exact*0.01*2.5e-5)
+    # 3e5 molecules; the energy of one scatters by as much as its mean
+    verdict(f"{name}_fluxes", n > 2e5 and np.all(np.abs(ratio - 1)
+            < 5/np.sqrt(n)*np.array([1, 1, 1, 3, 1.5])),
+            "number, mass, momentum, energy: " + " ".join(
+                f"{r:.4f}" for r in ratio)
+            + f" of the exact ones, {n} molecules")
+
 # --- plate in a free-molecular stream (Schaaf and Chambre), whatever it sends
 #     back leaving through the open sides
 wind = np.array([400., 0., -800.])

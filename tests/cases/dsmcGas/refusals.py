@@ -15,7 +15,8 @@ write_gas("good", TYPES, (2, 2, 2), weight=1e15, wall="MixedDiffuseSpecular",
           inflow="FreeStream",
           collisions="LarsenBorgnakkeVariableHardSphere",
           more="FreeStreamCoeffs { numberDensities { Ar 1e20; }"
-          " patches (xMin); }\n"
+          " patches (xMin); inflows { xMax { numberDensities { Ar 2e20; }"
+          " temperature 400; velocity (-90 0 0); } } }\n"
           "MixedDiffuseSpecularCoeffs { diffuseFraction 0.5; }\n"
           "wallDiffuseFractions { yMin 0.25; }\n"
           "sampling { start 0; every 1; }\nrandomSeed 7;\nreportEvery 2;\n",
@@ -87,6 +88,20 @@ EDITS = [   # name, change, texts that the message must hold
      ["Entry Ar is -1e+20", "density >= 0"]),
     ("inflowPatch", replace(GAS, "patches (xMin)", "patches (yMin)"),
      ["Entry patches holds yMin", "xMin xMax"]),
+    ("inflowsPatch", replace(GAS, "xMax {", "yMax {"),
+     ["Entry inflows holds yMax", "xMin xMax"]),
+    ("inflowsTwice", replace(GAS, "xMax {", "\"x.*\" {"),
+     ["Entry patches holds xMin", "patch xMin of inflows", "one gas"]),
+    ("inflowsEntry", replace(GAS, "temperature 400", "T 400"),
+     ["Unknown entry T", "numberDensities temperature velocity"]),
+    ("inflowsTemperature", replace(GAS, "temperature 400", "temperature -4"),
+     ["temperature is -4", "temperature > 0"]),
+    ("inflowsSpecies", replace(GAS, "{ Ar 2e20", "{ Kr 2e20"),
+     ["Unknown species Kr", "Ar"]),
+    ("inflowsDensity", replace(GAS, "{ Ar 2e20", "{ Ar -2e20"),
+     ["Entry Ar is -2e+20", "density >= 0"]),
+    ("inflowKeyword", replace(GAS, "patches (xMin)", "patch (xMin)"),
+     ["Unknown entry patch", "numberDensities patches inflows"]),
     ("unknownEntry", replace(GAS, "randomSeed 7", "rndSeed 7"),
      ["Unknown entry rndSeed", "randomSeed"]),
     ("seed", replace(GAS, "randomSeed 7", "randomSeed -7"),

@@ -1,0 +1,244 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "solidInterface.H"
+#include "IOdictionary.H"
+#include "OSspecific.H"
+#include "Time.H"
+#include "wordRes.H"
+
+namespace Foam
+{
+    static const word interfaceState("solidInterfaceState");
+
+    //- Numbers of a record
+    static const label recordSize = 9;
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::fileName Foam::solidInterface::file() const
+{
+    return
+        mesh_.time().globalPath()/"postProcessing"/"particleInterface"
+       /mesh_.time().timeName()/"interface.csv";
+}
+
+
+void Foam::solidInterface::restore()
+{
+    const IOdictionary state
+    (
+        IOobject
+        (
+            interfaceState,
+            mesh_.time().timeName(),
+            "uniform",
+            mesh_,
+            IOobject::READ_IF_PRESENT,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+    if (!state.found("duration"))
+    {
+        return;
+    }
+    duration_ = state.get<scalar>("duration");
+    if (!(duration_ > 0) || !Pstream::master())
+    {
+        return;
+    }
+    try
+    {
+        records_ = impact::particleInterface::read(file());
+    }
+    catch (const std::invalid_argument& e)
+    {
+        FatalErrorInFunction
+            << "The records before time " << mesh_.time().timeName()
+            << " are to be continued: " << e.what() << exit(FatalError);
+    }
+    for (auto& r : records_)
+    {
+        r.weight *= duration_/sectors_;
+    }
+}
+
+
+std::vector<impact::particleInterface::record>
+Foam::solidInterface::gathered() const
+{
+    List<scalarList> all(Pstream::nProcs());
+    scalarList& mine = all[Pstream::myProcNo()];
+    mine.setSize(recordSize*records_.size());
+    label i = 0;
+    for (const auto& r : records_)
+    {
+        for
+        (
+            const scalar x :
+            {
+                r.position.x, r.position.y, r.position.z,
+                r.velocity.x, r.velocity.y, r.velocity.z,
+                r.temperature, r.diameter, r.weight
+            }
+        )
+        {
+            mine[i++] = x;
+        }
+    }
+    Pstream::gatherList(all);
+
+    std::vector<impact::particleInterface::record> records;
+    if (Pstream::master())
+    {
+        const scalar factor = duration_ > 0 ? sectors_/duration_ : 0;
+        for (const scalarList& part : all)
+        {
+            for (label j = 0; j < part.size(); j += recordSize)
+            {
+                const scalar* x = part.cdata() + j;
+                records.push_back
+                ({
+                    {x[0], x[1], x[2]}, {x[3], x[4], x[5]},
+                    x[6], x[7], factor*x[8]
+                });
+            }
+        }
+    }
+    return records;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::solidInterface::solidInterface
+(
+    const dictionary& dict,
+    const fvMesh& mesh
+)
+:
+    mesh_(mesh),
+    isSurface_(mesh.boundary().size()),
+    start_(dict.getOrDefault<scalar>("start", 0)),
+    sectors_(dict.getOrDefault<scalar>("sectors", 1)),
+    origin_(dict.getOrDefault<vector>("origin", vector(Zero))),
+    duration_(0),
+    recording_(false)
+{
+    for (const entry& e : dict)
+    {
+        const word& name = e.keyword();
+        if
+        (
+            name != "patches" && name != "start" && name != "sectors"
+         && name != "origin"
+        )
+        {
+            FatalIOErrorInFunction(dict)
+                << "Unknown entry " << name << nl
+                << "Valid entries: (patches start sectors origin)"
+                << exit(FatalIOError);
+        }
+    }
+    if (!(sectors_ > 0))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry sectors is " << sectors_ << nl
+            << "Valid range: sectors > 0" << exit(FatalIOError);
+    }
+
+    isSurface_ = false;
+    for (const wordRe& expression : dict.get<wordRes>("patches"))
+    {
+        bool found = false;
+        wordList open;
+        for (const polyPatch& patch : mesh_.boundaryMesh())
+        {
+            if (!isType<polyPatch>(patch))
+            {
+                continue;
+            }
+            open.append(patch.name());
+            if (expression.match(patch.name()))
+            {
+                isSurface_[patch.index()] = true;
+                found = true;
+            }
+        }
+        if (!found)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry patches holds " << expression
+                << ", which no open patch matches" << nl
+                << "Valid patches: " << flatOutput(open)
+                << exit(FatalIOError);
+        }
+    }
+    restore();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::solidInterface::beginStep()
+{
+    const scalar deltaT = mesh_.time().deltaTValue();
+    recording_ = mesh_.time().value() > start_ + 0.5*deltaT;
+    if (recording_)
+    {
+        duration_ += deltaT;
+    }
+}
+
+
+void Foam::solidInterface::info() const
+{
+    scalar weight = 0;
+    for (const auto& r : records_)
+    {
+        weight += r.weight;
+    }
+    reduce(weight, sumOp<scalar>());
+    Info<< "Interface to the far field: "
+        << returnReduce(label(records_.size()), sumOp<label>())
+        << " records in " << duration_ << " s, "
+        << (duration_ > 0 ? sectors_*weight/duration_ : 0)
+        << " real particles per second" << nl << endl;
+}
+
+
+void Foam::solidInterface::write() const
+{
+    const auto records = gathered();
+    if (Pstream::master() && duration_ > 0)
+    {
+        mkDir(file().path());
+        impact::particleInterface::write
+        (
+            file(),
+            records,
+            "written by dsmcParcelFoam, recorded for "
+          + Foam::name(duration_) + " s until "
+          + mesh_.time().timeName() + " s"
+        );
+    }
+    IOdictionary state
+    (
+        IOobject
+        (
+            interfaceState,
+            mesh_.time().timeName(),
+            "uniform",
+            mesh_,
+            IOobject::NO_READ,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+    state.add("duration", duration_);
+    state.regIOobject::write();
+}
