@@ -478,6 +478,9 @@ void Foam::SpinningCloud<CloudType>::info()
         reduce(sum, sumOp<scalar>());
     }
 
+    const scalar mostForces =
+        returnReduce(statistics_.mostForces, maxOp<scalar>());
+
     if (rotation_)
     {
         Info<< "    Rotational kinetic energy       = " << sums[0] << nl;
@@ -498,6 +501,7 @@ void Foam::SpinningCloud<CloudType>::info()
     {
         Info<< "    Sub-steps, forces per sub-step  = " << sums[5] << ", "
             << sums[6]/max(sums[5], scalar(1)) << nl
+            << "    Most forces between two faces   = " << mostForces << nl
             << "    cut, uncontrolled, at rest      = " << sums[7] << ", "
             << sums[8] << ", " << sums[9] << nl;
     }

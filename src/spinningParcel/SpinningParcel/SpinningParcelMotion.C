@@ -146,9 +146,11 @@ bool Foam::SpinningParcel<ParcelType>::moveEmbedded
     const bool reduced = mesh.nSolutionD() != 3;
 
     // A part of the evaluations is kept for exponential steps without error
-    // control, three each, with which a parcel can still stop at the
-    // tetrahedra
+    // control, three each and three more where a face cuts one, with which a
+    // parcel can still stop at the tetrahedra. The last one stops at nothing
+    // but a face.
     const label kept = 24;
+    const label last = 12;
     label left = maxForces;
     label stalls = 0;
     label hits = 0;
@@ -191,13 +193,18 @@ bool Foam::SpinningParcel<ParcelType>::moveEmbedded
             const scalar gasSpin = mag(fromCore(gas.spin));
 
             // Not far beyond the cell: the gas is not known there
-            scalar hMax = min
-            (
-                t,
-                1.5*cloud.cellLengthScale()[p.cell()]
-               /max(max(mag(U0), gasSpeed), ROOTVSMALL)
-            );
-            if (byTetrahedra || left < kept + 7)
+            const bool final = left < last;
+            scalar hMax = t;
+            if (!final)
+            {
+                hMax = min
+                (
+                    hMax,
+                    1.5*cloud.cellLengthScale()[p.cell()]
+                   /max(max(mag(U0), gasSpeed), ROOTVSMALL)
+                );
+            }
+            if (!final && (byTetrahedra || left < kept + 7))
             {
                 hMax *= min
                 (
@@ -254,7 +261,7 @@ bool Foam::SpinningParcel<ParcelType>::moveEmbedded
                         {
                             break;
                         }
-                        if ((U0 & aim) < 0 && left >= 9)
+                        if ((U0 & aim) < 0 && left >= last)
                         {
                             // The path turns back: follow its first part
                             again = true;
@@ -270,7 +277,12 @@ bool Foam::SpinningParcel<ParcelType>::moveEmbedded
                         tau = path.timeAt(aim, share, tau);
                         const vector there = path(tau);
                         aim *= share;
-                        if (i == 4 || mag(there - aim) <= accuracy)
+                        if
+                        (
+                            i == 4
+                         || final
+                         || mag(there - aim) <= accuracy
+                        )
                         {
                             break;
                         }
@@ -420,6 +432,7 @@ bool Foam::SpinningParcel<ParcelType>::moveEmbedded
                     }
                 );
                 force.done();
+                --left;
                 ++statistics.nForces;
                 const scalar acting = pause/(1 + pause*rate.k);
                 const vector impulse = acting*force.external(mass, p.rho());
@@ -461,11 +474,15 @@ bool Foam::SpinningParcel<ParcelType>::moveEmbedded
 
             // Nothing is carried from cell to cell, so that a face between
             // two ranks is like any other
+            statistics.mostForces =
+                max(statistics.mostForces, scalar(maxForces - left));
             left = maxForces;
             hTry = GREAT;
             byTetrahedra = false;
         }
     }
+    statistics.mostForces =
+        max(statistics.mostForces, scalar(maxForces - left));
 
     return ttd.keepParticle;
 }
