@@ -125,7 +125,7 @@ verdict("loaded_balance", changes(log).max() < 1e-12,
 types = dict(PERIODIC, zMin="wall", zMax="wall")
 for exchange in ("perCell", "perCollision"):
     name = f"box_{exchange}"
-    write_gas(name, types, (4, 4, 4), (0.004, 0.004, 0.004), weight=2e12,
+    write_gas(name, types, (4, 4, 4), (0.004, 0.004, 0.004), weight=5e11,
               density=1e23, T=400., gas={"N2": NITROGEN},
               collisions="LarsenBorgnakkeVariableHardSphere",
               wall="SpecularReflection",
