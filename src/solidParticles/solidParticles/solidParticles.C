@@ -315,7 +315,7 @@ void Foam::solidParticles::readParticles()
         if
         (
             data.group[i] < 0 || data.group[i] >= groups_.size()
-         || !(data.nParticle[i] > 0) || !(data.T[i] > 0)
+         || !(data.nParticle[i] > 0) || !(data.T[i] >= 0)
         )
         {
             FatalErrorInFunction
@@ -324,7 +324,7 @@ void Foam::solidParticles::readParticles()
                 << " has group " << data.group[i] << ", nParticle "
                 << data.nParticle[i] << ", T " << data.T[i]
                 << ". Valid range: 0 <= group < " << groups_.size()
-                << ", nParticle > 0, T > 0" << exit(FatalError);
+                << ", nParticle > 0, T >= 0" << exit(FatalError);
         }
         tally& t = tally_[initial];
         ++t.simulators;
