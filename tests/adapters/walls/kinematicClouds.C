@@ -51,7 +51,7 @@ protected:
     void runOnLayer()
     {
         writeCloud("sand", adhesive.model, withPlate(adhesive.settings));
-        open();
+        openMesh();
         const volVectorField U(velocity());
         const volScalarField rho(uniform("rho", dimDensity, 1));
         const volScalarField mu(uniform("mu", dimDynamicViscosity, 1e-5));
