@@ -115,6 +115,8 @@ def stock_coupled(case):
     edit(case, "constant/sandCloud", "spinningKinematicCloud",
          "basicKinematicCloud")
     edit(case, "constant/sandCloud", "magnus;", "")
+    edit(case, "system/controlDict", "(spinningParcel)",
+         "(parcelForces parcelInjection parcelWallInteraction)")
 
 
 RAKE = "constant/rake50Properties"
