@@ -55,14 +55,25 @@ void Foam::SpinningCloud<CloudType>::setModels()
             << exit(FatalIOError);
     }
 
-    bool magnus = false;
-    for (const auto& force : this->forces())
-    {
-        magnus = magnus || isA<MagnusForce<kinematicCloudType>>(force);
-    }
     Info<< "Parcels of " << label(sizeof(parcelType)) << " bytes" << endl;
     if (!rotation_)
     {
+        // A force that is nothing need not be asked for each parcel
+        auto& forces = this->forces();
+        label kept = 0;
+        forAll(forces, i)
+        {
+            if (!isA<MagnusForce<kinematicCloudType>>(forces[i]))
+            {
+                if (kept != i)
+                {
+                    forces.set(kept, forces.release(i));
+                }
+                ++kept;
+            }
+        }
+        const bool magnus = kept < forces.size();
+        forces.resize(kept);
         Info<< "Parcels without rotation: no torque"
             << (magnus ? " and no Magnus force" : "") << endl;
     }
