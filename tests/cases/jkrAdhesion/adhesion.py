@@ -325,9 +325,9 @@ FIELDS = [f"layer{k}{q}" for k in (0, 1)
 WALLS = [side + end for side in "xyz" for end in ("Min", "Max")]
 
 
-def state(case, time="0.4"):
+def state(case, time="0.4", spin="angularMomentum"):
     ids, released, fields = all_parcels(case, time, "U", "d", "nParticle",
-                                        "angularMomentum")
+                                        spin)
     layers = {(name, wall): patch_field(case, time, name, wall)
               for name in FIELDS for wall in WALLS}
     return ids, released, fields, layers
@@ -530,8 +530,9 @@ b {{ patchInteractionModel jkrAdhesion; jkrAdhesionCoeffs {{
                 if outside == "refuse" else "keeps the last alpha")
 
 
-check_bare()
-check_layer()
-check_oblique()
-check_ranks()
-check_bad_input()
+if __name__ == "__main__":
+    check_bare()
+    check_layer()
+    check_oblique()
+    check_ranks()
+    check_bad_input()
