@@ -13,7 +13,10 @@ Description
     again and again at each of 'incidences' (degrees) with 'speed'; the models
     take turns, five times, and the least time of each counts. Prints name,
     incidence, microseconds per call and microseconds above stock rebound,
-    which must be the first.
+    which must be the first. With 'histograms', a list of numbers of calls, it
+    prints instead, for every model but the first, name, incidence, number of
+    calls, CPU seconds and how many rebounded into each of 36 intervals of 5
+    degrees from the plate.
 \*---------------------------------------------------------------------------*/
 
 #include "IFstream.H"
@@ -126,31 +129,74 @@ int main(int argc, char* argv[])
     }
 
     const polyPatch& pp = mesh.boundaryMesh()[plate];
+
+    // A parcel on the plate strikes it, the n-th time of all
+    const auto strike = [&](cloudType& cloud, const vector& U0, const label n)
+    {
+        parcelType& p = parcels[n & 63];
+        bool keep = true;
+        p.U() = U0;
+        p.angularMomentum() = Zero;
+        p.origId() = n;
+        cloud.patchInteraction().correct(p, pp, keep);
+        const vector U1(p.U());
+
+        // One that was left sliding has been lifted off the plate
+        if (!p.onBoundaryFace())
+        {
+            parcels.set(n & 63, new parcelType(atPlate[n & 63]));
+        }
+        return U1;
+    };
+
+    const labelList histograms
+    (
+        list.getOrDefault<labelList>("histograms", labelList())
+    );
     for (const scalar incidence : incidences)
     {
         const scalar angle = degToRad(incidence);
         const vector U0(speed*vector(Foam::cos(angle), -Foam::sin(angle), 0));
+        if (histograms.size())
+        {
+            for (label c = 1; c < clouds.size(); ++c)
+            {
+                label first = 0;
+                for (const label n : histograms)
+                {
+                    labelList counts(36, Zero);
+                    const double begin = cpuSeconds();
+                    for (label i = 0; i < n; ++i)
+                    {
+                        const vector U1(strike(clouds[c], U0, first + i));
+                        const scalar degrees =
+                            radToDeg(std::atan2(U1.y(), U1.x()));
+                        ++counts[max(0, min(35, label(degrees/5)))];
+                    }
+                    std::printf
+                    (
+                        "HISTOGRAM %s %g %d %.4f",
+                        names[c].c_str(), incidence, n, cpuSeconds() - begin
+                    );
+                    for (const label count : counts)
+                    {
+                        std::printf(" %d", count);
+                    }
+                    std::printf("\n");
+                    first += n;
+                }
+            }
+            continue;
+        }
         scalarList best(clouds.size(), GREAT);
         for (label turn = 0; turn < 5; ++turn)
         {
             forAll(clouds, c)
             {
-                auto& model = clouds[c].patchInteraction();
-                bool keep = true;
                 const double begin = cpuSeconds();
                 for (label i = 0; i < calls[c]; ++i)
                 {
-                    parcelType& p = parcels[i & 63];
-                    p.U() = U0;
-                    p.angularMomentum() = Zero;
-                    p.origId() = turn*calls[c] + i;
-                    model.correct(p, pp, keep);
-
-                    // One that was left sliding has been lifted off the plate
-                    if (!p.onBoundaryFace())
-                    {
-                        parcels.set(i & 63, new parcelType(atPlate[i & 63]));
-                    }
+                    strike(clouds[c], U0, turn*calls[c] + i);
                 }
                 best[c] = min(best[c], 1e6*(cpuSeconds() - begin)/calls[c]);
             }
