@@ -40,7 +40,7 @@ void warnOfOthers(const dictionary& dict)
     });
     for (const word& entry : dict.toc())
     {
-        if (!known.found(entry))
+        if (!known.found(entry) && !dict.isDict(entry))
         {
             IOWarningInFunction(dict)
                 << "entry " << entry << " is not used. Known entries: "
