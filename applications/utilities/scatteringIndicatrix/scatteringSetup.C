@@ -28,6 +28,27 @@ List<scalar> readIncidences(const dictionary& dict)
     return angles;
 }
 
+
+//- An entry that nothing reads may be one that macros refer to: no error
+void warnOfOthers(const dictionary& dict)
+{
+    const wordList known
+    ({
+        "FoamFile", "shape", "wall", "law", "incidence", "speed", "spin",
+        "orientation", "nParticles", "seed", "binWidth", "targetError",
+        "maxImpacts", "tableSamples"
+    });
+    for (const word& entry : dict.toc())
+    {
+        if (!known.found(entry) && !dict.isDict(entry))
+        {
+            IOWarningInFunction(dict)
+                << "entry " << entry << " is not used. Known entries: "
+                << flatOutput(known) << endl;
+        }
+    }
+}
+
 } // End anonymous namespace
 
 
@@ -39,6 +60,7 @@ Foam::scatteringSetup::scatteringSetup
 :
     incidences(readIncidences(dict))
 {
+    warnOfOthers(dict);
     scatteringEntries::read(dict, casePath, sampler);
     sampler.incidence = incidences[0];
     sampler.speed = dict.get<scalar>("speed");

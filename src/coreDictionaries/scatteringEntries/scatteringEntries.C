@@ -18,6 +18,7 @@ impact::convexBody readShape
 )
 {
     typedef impact::convexBody body;
+    refuseOthers(dict, {"type", "diameter", "size", "cut", "file", "scale"});
     const word type(dict.get<word>("type"));
     return checked(dict, [&]() -> body
     {
@@ -65,6 +66,14 @@ std::shared_ptr<const impact::relief> readWall
 )
 {
     typedef impact::relief relief;
+    refuseOthers
+    (
+        dict,
+        {
+            "type", "treatment", "meanSpacing", "sigmaSpacing", "sigmaHeight",
+            "file", "scale", "amplitude", "wavelength"
+        }
+    );
     const word type(dict.get<word>("type"));
     if (type == "smooth")
     {
@@ -116,6 +125,10 @@ std::shared_ptr<const impact::relief> readWall
 impact::reboundLaw readLaw(const dictionary& dict)
 {
     typedef impact::reboundLaw law;
+    refuseOthers
+    (
+        dict, {"type", "normal", "tangential", "restitution", "friction"}
+    );
     const word type(dict.get<word>("type"));
     return checked(dict, [&]() -> law
     {

@@ -234,7 +234,8 @@ impact::relief impact::relief::profile
         std::replace(line.begin(), line.end(), ',', ' ');
         std::istringstream words(line);
         double a, b;
-        if (words >> a >> b)
+        std::string rest;
+        if (words >> a >> b && !(words >> rest))
         {
             x.push_back(scale*a);
             y.push_back(scale*b);

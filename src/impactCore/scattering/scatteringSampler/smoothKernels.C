@@ -216,6 +216,35 @@ impactInline void touchAny(int n, const smoothBody& b, smoothLanes& l)
 }
 
 
+//- Change of the angular velocity of a body with the moments J per unit mass,
+//  when the velocity of its point r changes by dVc: spinChange() of
+//  reboundLaw.H, all over the product of the three pivots, which takes two
+//  divisions instead of four
+impactInline vector3 spinJump
+(
+    const vector3& J,
+    const vector3& r,
+    const vector3& dVc
+)
+{
+    const double r2 = dot(r, r);
+    const double dx = J.x + r2, dy = J.y + r2, dz = J.z + r2;
+    const double px = dy*dz, py = dz*dx, pz = dx*dy;
+    const double inverse = 1/(dx*px);
+    const vector3 m = cross(r, dVc);
+    const vector3 q = {px*m.x, py*m.y, pz*m.z};
+    const vector3 d = {px*r.x, py*r.y, pz*r.z};
+    const double rest = J.x*r.x*d.x + J.y*r.y*d.y + J.z*r.z*d.z;
+    const double f = dot(r, q)*r2/rest;
+    return
+    {
+        inverse*(q.x + f*d.x),
+        inverse*(q.y + f*d.y),
+        inverse*(q.z + f*d.z)
+    };
+}
+
+
 //- What the loops of meetStill() hand on
 struct drawScratch
 {
@@ -271,22 +300,7 @@ impactInline void meetStill
             lowest(ellipsoid, a0, a1, a2, ey.x, ey.y, ey.z, r.x, r.y, r.z);
             const vector3 dVc = along*ex + away*ey;
 
-            // As in smoothImpact()
-            const double r2 = dot(r, r);
-            const double dx = J0 + r2, dy = J1 + r2, dz = J2 + r2;
-            const double px = dy*dz, py = dz*dx, pz = dx*dy;
-            const double inverse = 1/(dx*px);
-            const vector3 M = cross(r, dVc);
-            const vector3 q = {px*M.x, py*M.y, pz*M.z};
-            const vector3 d = {px*r.x, py*r.y, pz*r.z};
-            const double rest = J0*r.x*d.x + J1*r.y*d.y + J2*r.z*d.z;
-            const double f = dot(r, q)*r2/rest;
-            const vector3 w =
-            {
-                inverse*(q.x + f*d.x),
-                inverse*(q.y + f*d.y),
-                inverse*(q.z + f*d.z)
-            };
+            const vector3 w = spinJump({J0, J1, J2}, r, dVc);
             const vector3 lever = cross(w, r);
             const double dV0 = along - dot(lever, ex);
             const double dV1 = away - dot(lever, ey);
@@ -1182,23 +1196,7 @@ impactKernel void smoothImpact
         const double vn = dot(Vc, n_);
         const vector3 dVc = tangent*Vc - (bounce*vn)*n_;
 
-        // spinChange() of reboundLaw.H, all over the product of the three
-        // pivots: two divisions instead of four
-        const double r2 = dot(r, r);
-        const double dx = J0 + r2, dy = J1 + r2, dz = J2 + r2;
-        const double px = dy*dz, py = dz*dx, pz = dx*dy;
-        const double inverse = 1/(dx*px);
-        const vector3 m = cross(r, dVc);
-        const vector3 q = {px*m.x, py*m.y, pz*m.z};
-        const vector3 d = {px*r.x, py*r.y, pz*r.z};
-        const double rest = J0*r.x*d.x + J1*r.y*d.y + J2*r.z*d.z;
-        const double f = dot(r, q)*r2/rest;
-        const vector3 dw =
-        {
-            inverse*(q.x + f*d.x),
-            inverse*(q.y + f*d.y),
-            inverse*(q.z + f*d.z)
-        };
+        const vector3 dw = spinJump({J0, J1, J2}, r, dVc);
         const vector3 dV = dVc - cross(dw, r);
 
         const vector3 H = {J0*w.x, J1*w.y, J2*w.z};

@@ -15,7 +15,7 @@ constexpr int fewFlights = 64;
 
 //- Attempts to bring a hop to its end before it is left to the search step by
 //  step
-constexpr int manyAttempts = 4;
+constexpr int manyAttempts = 2;
 
 //- Steps after which a flight is left to the general search
 constexpr int manySteps = 100;
