@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <fstream>
 #include <optional>
 #include <sstream>
@@ -77,7 +78,12 @@ std::vector<measuredImpact> readMeasured
         measuredImpact m = {0, 0};
         columns.clear();
         columns.seekg(0);
-        if (!(columns >> m.speed >> m.restitution) || !(m.speed > 0))
+        if
+        (
+            !(columns >> m.speed >> m.restitution)
+         || !(m.speed > 0 && std::isfinite(m.speed))
+         || !(m.restitution > 0 && m.restitution < 1)
+        )
         {
             FatalIOErrorInFunction(dict)
                 << "file " << file << ", line " << number << ", '"
