@@ -425,7 +425,15 @@ void Foam::writeJkrImpact
         {
             FatalErrorInFunction
                 << "speeds " << V << " m/s: " << error.what()
-                << " (v_st " << v << " m/s)" << exit(FatalError);
+                << " (v_st " << v << " m/s)";
+            if (!law.isConstant())
+            {
+                FatalError
+                    << ". alpha(e) holds for e from " << law.low() << " to "
+                    << law.high() << ", at speeds of " << v*law.speed(law.low())
+                    << " to " << v*law.speed(law.high()) << " m/s";
+            }
+            FatalError << exit(FatalError);
         }
     }
     summary.row

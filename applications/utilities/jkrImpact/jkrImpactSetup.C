@@ -73,6 +73,14 @@ List<scalar> readSpeeds(const dictionary& dict)
     }
     else
     {
+        ITstream& is = dict.lookup("speeds");
+        if (is.size() && is[0].isNumber())
+        {
+            FatalIOErrorInFunction(dict)
+                << "speeds " << is[0]
+                << ": valid forms: (1 2 5), or { min 1; max 5; n 10; }"
+                << exit(FatalIOError);
+        }
         speeds = dict.get<List<scalar>>("speeds");
         if (speeds.empty())
         {

@@ -9,6 +9,8 @@
 #include "Switch.H"
 
 #include <algorithm>
+#include <cctype>
+#include <cmath>
 #include <fstream>
 #include <optional>
 #include <sstream>
@@ -36,7 +38,8 @@ impact::elasticSphere readSphere(const dictionary& dict)
 }
 
 
-//- Columns V, e of a file; commas and lines that begin with # are skipped
+//- Columns V, e of a file; commas, lines that begin with # and a first line
+//  of names are skipped
 std::vector<measuredImpact> readMeasured
 (
     const dictionary& dict,
@@ -51,6 +54,7 @@ std::vector<measuredImpact> readMeasured
             << "file " << file << " cannot be read" << exit(FatalIOError);
     }
     std::vector<measuredImpact> data;
+    bool namesMayFollow = true;
     std::string line;
     for (label number = 1; std::getline(is, line); ++number)
     {
@@ -61,14 +65,30 @@ std::vector<measuredImpact> readMeasured
         {
             continue;
         }
+        // A line of names begins with one: "V,e", but not "1.2,high"
+        const bool names =
+            namesMayFollow
+         && (std::isalpha(static_cast<unsigned char>(first[0]))
+          || first[0] == '"');
+        namesMayFollow = false;
+        if (names)
+        {
+            continue;
+        }
         measuredImpact m = {0, 0};
         columns.clear();
         columns.seekg(0);
-        if (!(columns >> m.speed >> m.restitution) || !(m.speed > 0))
+        if
+        (
+            !(columns >> m.speed >> m.restitution)
+         || !(m.speed > 0 && std::isfinite(m.speed))
+         || !(m.restitution > 0 && m.restitution < 1)
+        )
         {
             FatalIOErrorInFunction(dict)
-                << "file " << file << ", line " << number << ", '" << line
-                << "': valid lines: V (0, inf) and e (0, 1)"
+                << "file " << file << ", line " << number << ", '"
+                << line.c_str()
+                << "': valid lines: V in (0, inf) m/s and e in (0, 1)"
                 << exit(FatalIOError);
         }
         data.push_back(m);

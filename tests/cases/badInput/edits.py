@@ -123,6 +123,12 @@ RAKE = "constant/rake50Properties"
 SAND = "constant/sand50Properties"
 STREAM = "constant/sandStream"
 
+def sizes(classes):
+    """A stream of several sizes."""
+    return replace(STREAM, "diameter        $:diameter",
+                   f"sizes ({classes})")
+
+
 # Name, change, texts that the message must hold
 TABLE = [
     ("fluxScheme", replace(SCHEMES, "HLLC", "Roe"),
@@ -201,6 +207,24 @@ TABLE = [
      ["'diameter', value 0,", "(0, infinity)"]),
     ("diameter_rake", replace(RAKE, "50e-6", "0"),
      ["'diameter', value 0,", "(0, infinity)"]),
+    ("volumeFraction_limit", replace(STREAM, "1e-5", "0.1"),
+     ["'volumeFraction', value 0.1", "(0, 0.1)"]),
+    ("volumeFraction_zero", replace(STREAM, "1e-5", "0"),
+     ["'volumeFraction', value 0,", "(0, 0.1)"]),
+    ("noSizes", sizes(""), ["'sizes'", "at least one"]),
+    ("sizesDiameter", sizes("(5e-6 0.5) (-1e-5 0.5)"),
+     ["'diameter', value -1e-05", "(0, infinity)"]),
+    ("sizesShare", sizes("(5e-6 1.5) (1e-5 -0.5)"),
+     ["fraction of sizes', value 1.5", "(0, 1]"]),
+    ("sizesSum", sizes("(5e-6 0.5) (1e-5 0.4)"),
+     ["sum of the fractions of sizes', value 0.9", "1 +- 1e-6"]),
+    ("stream_speed", replace(STREAM, "1797.172554", "0"),
+     ["'U0'", "(0 0 0)"]),
+    ("density", replace("constant/sandCloud", "2500", "-2500"),
+     ["'rho0', value -2500", "(0, infinity)"]),
+    ("restitution_negative",
+     replace("constant/sandCloud", "restitution         0.7",
+             "restitution -0.1"), ["restitution", "-0.1", "[0, 1]"]),
     ("injectionPatch", replace(STREAM, "(freestream)", "(nowhere)"),
      ["patches", "nowhere", "freestream", "cylinder"]),
     ("impactPatch", replace(RAKE, "patches     (cylinder)",
@@ -209,11 +233,16 @@ TABLE = [
 ]
 
 
+OF_THE_STREAM = ("volumeFraction", "volumeFraction_limit",
+                 "volumeFraction_zero", "diameter_stream", "noSizes",
+                 "sizesDiameter", "sizesShare", "sizesSum", "stream_speed",
+                 "density", "injectionPatch")
+
+
 def trial(name, change):
     # A folder whose name is no word of the table: messages hold the path
     case = copy_case("good", "trial")
-    clouds = "sand50" if change and name in (
-        "volumeFraction", "diameter_stream", "injectionPatch") else "rake50"
+    clouds = "sand50" if change and name in OF_THE_STREAM else "rake50"
     write_foam(case, "constant/parcelClouds", f"clouds ({clouds});")
     edit(case, "system/controlDict", "endTime         6.4e-4",
          "endTime 1e-6")

@@ -158,4 +158,9 @@ TEST(dissipationLaw, refusesWhatIsOutOfRange)
     EXPECT_THROW(law::calibrated(2, 0), std::invalid_argument);
     EXPECT_THROW(law::fit({{3, 0.3}}, 0), std::invalid_argument);
     EXPECT_THROW(law::fit({{3, 0.3}, {4, 0.4}}, 2), std::invalid_argument);
+    EXPECT_THROW
+    (
+        law::fit({{3, 0.3}, {4, 0.4}, {4, 0.4}}, 2), std::invalid_argument
+    );
+    EXPECT_NO_THROW(law::fit({{3, 0.3}, {4, 0.4}, {4, 0.4}}, 1));
 }

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 #include <sstream>
 
 namespace
@@ -174,9 +175,16 @@ impact::dissipationLaw impact::dissipationLaw::fit
     {
         throwOutOfRange("number of data", n, ">= 2");
     }
-    if (degree < 0 || degree > n - 1)
+    // Repeated measurements weigh more, but give no further coefficient
+    std::set<double> different;
+    for (const measurement& m : data)
     {
-        throwOutOfRange("degree", degree, rangeText("[]", 0, n - 1));
+        different.insert(m.restitution);
+    }
+    const int most = int(different.size()) - 1;
+    if (degree < 0 || degree > most)
+    {
+        throwOutOfRange("degree", degree, rangeText("[]", 0, most));
     }
     Eigen::MatrixXd powers(n, degree + 1);
     Eigen::VectorXd alpha(n);
