@@ -65,7 +65,8 @@ impact::solidExchange::bound impact::solidExchange::findBound
     for (int i = 0; i < gas.n; ++i)
     {
         const vector3 c = vector3{gas.u[i], gas.v[i], gas.w[i]} - mean;
-        greatest = std::fmax(greatest, dot(c, c));
+        const double square = dot(c, c);
+        greatest = square > greatest ? square : greatest;
     }
     return {mean, std::sqrt(greatest)};
 }
