@@ -249,6 +249,10 @@ void Foam::particleArray<Payload>::sort()
 {
     const label n = size();
     const label nCells = cells_.size();
+    if (!n && !start_.back())
+    {
+        return;
+    }
 
     std::fill(start_.begin(), start_.end(), 0);
     for (label i = 0; i < n; ++i)
@@ -344,7 +348,7 @@ void Foam::particleArray<Payload>::move(const scalar dt, Boundary& boundary)
     stopped_.resize(nSorted + 1);
     const label nLeavers = walkKernels::fly
     (
-        cells_.size(),
+        nSorted ? cells_.size() : 0,
         start_.data(),
         cells_.firstGroup(),
         cells_.planes(),

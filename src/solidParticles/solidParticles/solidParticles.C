@@ -262,7 +262,7 @@ void Foam::solidParticles::readExchange()
     {
         groups_[g].mass = exchange_->sizeOf(g).mass;
     }
-    if (mode == "perCell")
+    if (exchange_->twoWay())
     {
         ledger_.resize(mesh_.nCells());
         readLedger();
@@ -297,6 +297,7 @@ void Foam::solidParticles::readLedger()
         {
             ledger_[i].momentum = toCore(momentum[i]);
             ledger_[i].energy = energy[i];
+            nHolding_ += !ledger_[i].isZero();
         }
     }
 }
@@ -418,6 +419,32 @@ void Foam::solidParticles::warnOfLargeParticles() const
 }
 
 
+void Foam::solidParticles::warnOfLightParticles()
+{
+    scalarList least;
+    forAll(groups_, g)
+    {
+        least.append(exchange_->leastNumber(g, gas_.weight()));
+    }
+    label nLight = 0;
+    const solidData& data = particles_.payload();
+    for (label i = 0; i < particles_.size(); ++i)
+    {
+        nLight += data.nParticle[i] < least[data.group[i]];
+    }
+    reduce(nLight, sumOp<label>());
+    warnedOfLight_ = true;
+    WarningInFunction
+        << nLight << " of " << returnReduce(particles_.size(), sumOp<label>())
+        << " simulated particles stand for so few real ones that a collision"
+        << " with a simulated molecule, which stands for " << gas_.weight()
+        << " real ones, could take nearly all of their heat." << nl
+        << "    They exchange momentum and energy as with exchange perCell."
+        << nl << "    Real particles for a simulated one that perCollision"
+        << " needs, by group: " << flatOutput(least) << nl << endl;
+}
+
+
 void Foam::solidParticles::describe() const
 {
     const label n = returnReduce(particles_.size(), sumOp<label>());
@@ -483,10 +510,31 @@ impact::cellCollisions::molecules Foam::solidParticles::moleculesOf
 }
 
 
-Foam::solidParticles::account Foam::solidParticles::accountOfAll()
+void Foam::solidParticles::findBusyCells()
+{
+    busy_.clear();
+    if (!particles_.size() && !nHolding_)
+    {
+        return;
+    }
+    for (label celli = 0; celli < mesh_.nCells(); ++celli)
+    {
+        if
+        (
+            particles_.begin(celli) != particles_.begin(celli + 1)
+         || (!ledger_.empty() && !ledger_[celli].isZero())
+        )
+        {
+            busy_.push_back(celli);
+        }
+    }
+}
+
+
+Foam::solidParticles::account Foam::solidParticles::accountOfBusyCells()
 {
     account a;
-    for (label celli = 0; celli < mesh_.nCells(); ++celli)
+    for (const label celli : busy_)
     {
         const auto gas = gas_.weight()*exchange_->of(moleculesOf(celli));
         const auto solids = exchange_->of(spheresOf(celli));
@@ -519,7 +567,8 @@ void Foam::solidParticles::report()
     (
         std::int64_t* value :
         {
-            &c.pairs, &c.candidates, &c.collisions, &c.beyond, &c.holding
+            &c.pairs, &c.candidates, &c.collisions, &c.beyond, &c.holding,
+            &c.light
         }
     )
     {
@@ -543,6 +592,10 @@ void Foam::solidParticles::report()
     reduce(now.number, sumOp<scalar>());
     reduce(now.mass, sumOp<scalar>());
 
+    if (c.light && !warnedOfLight_)
+    {
+        warnOfLightParticles();
+    }
     const scalar perTime = 1/duration_;
     Info<< "    solid particles: " << now.simulators << " for " << now.number
         << " real ones, " << now.mass << " kg" << nl
@@ -556,6 +609,11 @@ void Foam::solidParticles::report()
             << "    collisions with solids: " << c.collisions << " of "
             << c.candidates << " candidates; greatest number of hits of a"
             << " molecule in a step: " << c.greatestHits << nl;
+        if (c.light)
+        {
+            Info<< "    particles that exchange by the cell, in the steps: "
+                << c.light << nl;
+        }
         if (c.beyond)
         {
             Info<< "    " << c.beyond << " of them beyond the greatest relative"
@@ -564,9 +622,12 @@ void Foam::solidParticles::report()
         if (!ledger_.empty())
         {
             impact::balance owed;
-            for (const impact::balance& b : ledger_)
+            if (nHolding_)
             {
-                owed += b;
+                for (const impact::balance& b : ledger_)
+                {
+                    owed += b;
+                }
             }
             sumUp(owed);
             Info<< "    ledger: " << fromCore(owed.momentum) << " kg m/s, "
@@ -587,6 +648,10 @@ void Foam::solidParticles::report()
 
 void Foam::solidParticles::writeLedger() const
 {
+    if (!returnReduce(nHolding_, sumOp<label>()))
+    {
+        return;
+    }
     volVectorField momentum
     (
         IOobject(ledgerNames[0], mesh_.time().timeName(), mesh_),
@@ -713,6 +778,7 @@ Foam::solidParticles::solidParticles
     ),
     seed_(0),
     particles_(cells),
+    nHolding_(0),
     reportEvery_(properties_.getOrDefault<label>("reportEvery", 10)),
     hits_(0),
     nLostBefore_(0),
@@ -721,7 +787,8 @@ Foam::solidParticles::solidParticles
     momentumError_(0),
     energyError_(0),
     moveTime_(0),
-    exchangeTime_(0)
+    exchangeTime_(0),
+    warnedOfLight_(false)
 {
     solidEntries::allow
     (
@@ -810,11 +877,12 @@ void Foam::solidParticles::move()
 
 void Foam::solidParticles::exchange()
 {
+    findBusyCells();
     const bool checks = exchange_->twoWay() && reportNow();
     account before;
     if (checks)
     {
-        before = accountOfAll();
+        before = accountOfBusyCells();
     }
 
     clock_t since = std::clock();
@@ -825,17 +893,10 @@ void Foam::solidParticles::exchange()
     const bool samples =
         fields_.valid() && fields_->exchangeAsked() && fields_->samplingNow();
     impact::balance none;
-    for (label celli = 0; celli < mesh_.nCells(); ++celli)
+    nHolding_ = 0;
+    for (const label celli : busy_)
     {
         impact::balance& ledger = ledger_.empty() ? none : ledger_[celli];
-        if
-        (
-            particles_.begin(celli) == particles_.begin(celli + 1)
-         && ledger.isZero()
-        )
-        {
-            continue;
-        }
         const auto g = checked
         (
             properties_,
@@ -848,6 +909,7 @@ void Foam::solidParticles::exchange()
                 );
             }
         );
+        nHolding_ += !ledger.isZero();
         gains_.solids += g.solids;
         gains_.gas += g.gas;
         if (samples)
@@ -860,7 +922,7 @@ void Foam::solidParticles::exchange()
 
     if (checks)
     {
-        const account after = accountOfAll();
+        const account after = accountOfBusyCells();
         const impact::balance change = after.all - before.all;
         momentumError_ =
             mag(change.momentum)/max(after.momentumScale, VSMALL);

@@ -176,6 +176,41 @@ for exchange in ("perCell", "perCollision"):
             f"greatest changes {worst}, {len(two['T'])} particles, mean"
             f" temperatures {means[0]:.6g} and {means[1]:.6g} K")
 
+# --- a ledger is written and read: one molecule to a cell, which can take
+# nothing back; perCollision takes it to the same bits, its spheres being light
+states = {}
+for exchange in ("perCell", "perCollision"):
+    name = f"ledger_{exchange}"
+    write_gas(name, PERIODIC, (4, 4, 4), (0.004, 0.004, 0.004),
+              weight=1e14, density=1e23, T=400., gas={"N2": NITROGEN},
+              collisions="LarsenBorgnakkeVariableHardSphere",
+              control={"deltaT": 1e-6, "endTime": 2e-5, "writeInterval": 10})
+    write_solids(name, fill(5e-3, (300, 0, -100), 2000., 1000),
+                 exchange=exchange, walls=None, diameters=(1e-6, 2e-6))
+    log = solve(name)
+    names = times_of(name)
+    copy_case(name, name + "_again")
+    shutil.rmtree(f"{name}_again/{names[-1]}")
+    solve(name + "_again")
+    straight, again = (read_solids(c, names[-1])
+                       for c in (name, name + "_again"))
+    owed = [read_field(f"{c}/{names[-1]}/solidLedgerEnergy")
+            for c in (name, name + "_again")]
+    gas = [read_molecules(c, names[-1])[2] for c in (name, name + "_again")]
+    same = (all(np.array_equal(straight[k], again[k]) for k in straight)
+            and np.array_equal(*owed)
+            and all(np.array_equal(gas[0][k], gas[1][k]) for k in gas[0]))
+    states[exchange] = straight
+    verdict(f"{name}_restart", same and np.count_nonzero(owed[0]) > 5
+            and changes(log).max() < 1e-12
+            and log.count("stand for so few") == (exchange == "perCollision"),
+            f"bits {'same' if same else 'differ'},"
+            f" {np.count_nonzero(owed[0])} cells owed, greatest changes"
+            f" {changes(log)}")
+verdict("ledger_lightSpheres", all(
+    np.array_equal(states["perCell"][k], states["perCollision"][k])
+    for k in states["perCell"]), "exchange as with perCell")
+
 # --- the rates that the fields hold are those of the particles
 end = times_of("box_perCollision")[-1]
 V = 0.004**3/64

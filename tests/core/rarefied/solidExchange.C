@@ -287,6 +287,51 @@ TEST(solidExchange, aClosedCellComesToOneTemperature)
 }
 
 
+TEST(solidExchange, spheresTooLightToBeBodiesAreSparedTheNoise)
+{
+    // Heat capacity of a simulated sphere over that of k for a simulated
+    // molecule
+    const double weight = 1e9, V = 1e-9, d = 3e-9, Tg = 400, Tp = 2000;
+    auto exchange = make(mode::perCollision, 1, d);
+    const double mass = exchange.sizeOf(0).mass;
+    for (const double ratio : {1e-6, 0.03, 1., 9.9, 11.})
+    {
+        const double N = ratio*weight*k/(900*mass);
+        const bool light = ratio < solidExchange::leastCapacity;
+        cell c(60, 300, Tg, 4, Tp, N);
+        solidExchange::counts counts;
+        balance ledger;
+        const double E0 = scale(exchange, c, weight);
+        const vector3 P0 = weight*exchange.of(c.gas()).momentum
+          + exchange.of(c.solids()).momentum;
+        double least = Tp;
+        const int steps = 400;
+        for (int step = 0; step < steps; ++step)
+        {
+            exchange.exchange
+            (
+                c.gas(), c.solids(), weight, V, 1e-6, ledger, 0, step, counts
+            );
+            least = std::min(least, *std::min_element(c.T.begin(), c.T.end()));
+        }
+        EXPECT_EQ(counts.light, light ? 4*steps : 0) << ratio;
+        EXPECT_GT(least, 0.1*Tg) << ratio;
+        EXPECT_NEAR
+        (
+            (scale(exchange, c, weight) + ledger.energy)/E0, 1, 1e-11
+        );
+        const vector3 P = weight*exchange.of(c.gas()).momentum
+          + exchange.of(c.solids()).momentum + ledger.momentum;
+        EXPECT_LT(mag(P - P0), 1e-11*mag(P0));
+    }
+    EXPECT_NEAR
+    (
+        exchange.leastNumber(0, weight)*mass*900/(weight*k),
+        std::max(10., 900*46.5e-27/k), 1e-9
+    );
+}
+
+
 TEST(solidExchange, hardCasesAreFiniteAndKept)
 {
     for (const mode m : {mode::perCell, mode::perCollision, mode::none})

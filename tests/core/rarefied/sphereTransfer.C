@@ -210,6 +210,31 @@ TEST(sphereTransfer, aLongStepEndsAtTheGas)
 }
 
 
+TEST(sphereTransfer, neverGivesMoreHeatThanThereIs)
+{
+    // The temperature of the gas is lost in the rounding of the sphere's
+    const double m = 66e-27;
+    sphereTransfer transfer({{m, 4e-10, 0.8, 0}}, 1, 900);
+    for (const double T : {1e-3, 1., 300.})
+    {
+        sample gas(50, 0, T, m, 0);
+        transfer.gather(gas.molecules());
+        for (const double Tp : {300., 1e9, 1e15, 1e20})
+        {
+            sphereTransfer::sphere s{{0, 0, 0}, Tp, 1e-6, 1e-14};
+            const auto r = transfer.on(s, 1e24/gas.u.size());
+            const double relaxation = s.mass*900/r.coolingRate;
+            for (const double steps : {1., 30., 37., 40., 700., 1e6})
+            {
+                sphereTransfer::sphere hot = s;
+                transfer.advance(hot, r, steps*relaxation);
+                EXPECT_GT(hot.temperature, 0.3*T) << T << ' ' << Tp;
+            }
+        }
+    }
+}
+
+
 TEST(sphereTransfer, refusesBadInput)
 {
     const std::vector<cellCollisions::species> gas = {{66e-27, 4e-10, .8, 0}};

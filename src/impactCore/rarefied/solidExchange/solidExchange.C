@@ -27,6 +27,7 @@ impact::solidExchange::solidExchange
     mode_(exchange),
     law_(deflection),
     seed_(seed),
+    heaviest_(0),
     transfer_(gas, m.accommodation, m.specificHeat),
     return_(gas)
 {
@@ -39,6 +40,10 @@ impact::solidExchange::solidExchange
     {
         checkRange(d > 0 && d < 1e3, "diameter", d, "> 0 [m]");
         sizes_.push_back({0.5*d, m.density*M_PI/6*d*d*d});
+    }
+    for (const cellCollisions::species& s : gas)
+    {
+        heaviest_ = std::fmax(heaviest_, s.mass);
     }
 }
 
@@ -60,7 +65,8 @@ impact::solidExchange::bound impact::solidExchange::findBound
     for (int i = 0; i < gas.n; ++i)
     {
         const vector3 c = vector3{gas.u[i], gas.v[i], gas.w[i]} - mean;
-        greatest = std::fmax(greatest, dot(c, c));
+        const double square = dot(c, c);
+        greatest = square > greatest ? square : greatest;
     }
     return {mean, std::sqrt(greatest)};
 }
@@ -73,6 +79,7 @@ void impact::solidExchange::scatter
     double number,
     double weight,
     double perVolume,
+    bool both,
     bound& b,
     counterRandom& rnd,
     gains& g,
@@ -83,7 +90,6 @@ void impact::solidExchange::scatter
     const double expected =
         number*gas.n*M_PI*s.radius*s.radius*cMax*perVolume;
     const std::int64_t nCandidates = std::int64_t(expected + rnd.uniform());
-    const bool both = mode_ == mode::perCollision;
     const double share = number*s.mass;
     total.candidates += nCandidates;
 
@@ -175,6 +181,16 @@ void impact::solidExchange::scatter
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+double impact::solidExchange::leastNumber(int group, double weight) const
+{
+    return weight/sizes_[group].mass*std::fmax
+    (
+        heaviest_,
+        leastCapacity*maxwellian::boltzmann/material_.specificHeat
+    );
+}
+
+
 impact::balance impact::solidExchange::of(const spheres& solids) const
 {
     balance b;
@@ -203,14 +219,30 @@ impact::solidExchange::gains impact::solidExchange::exchange
     counts& total
 )
 {
+    const auto body = [&](int j)
+    {
+        return
+            mode_ == mode::perCollision
+         && solids.number[j] >= leastNumber(solids.group[j], weight);
+    };
+    int nBodies = 0;
+    for (int j = 0; j < solids.n; ++j)
+    {
+        nBodies += body(j);
+    }
+    const int nOthers = solids.n - nBodies;
+    if (mode_ == mode::perCollision)
+    {
+        total.light += nOthers;
+    }
+
     gains g;
     if (solids.n && gas.n)
     {
-        const bool all = mode_ != mode::perCollision;
-        if (all)
+        if (nOthers)
         {
             transfer_.gather(gas);
-            total.pairs += std::int64_t(gas.n)*solids.n;
+            total.pairs += std::int64_t(gas.n)*nOthers;
         }
         bound b{};
         if (twoWay())
@@ -221,13 +253,14 @@ impact::solidExchange::gains impact::solidExchange::exchange
         double hits = 0;
         for (int j = 0; j < solids.n; ++j)
         {
-            const size& body = sizes_[solids.group[j]];
+            const size& shape = sizes_[solids.group[j]];
+            const bool both = body(j);
             const vector3 v0{solids.u[j], solids.v[j], solids.w[j]};
             const double T0 = solids.temperature[j];
-            sphereTransfer::sphere s{v0, T0, body.radius, body.mass};
+            sphereTransfer::sphere s{v0, T0, shape.radius, shape.mass};
             if (twoWay())
             {
-                hits += solids.number[j]*M_PI*body.radius*body.radius
+                hits += solids.number[j]*M_PI*shape.radius*shape.radius
                    *(mag(v0 - b.mean) + b.thermal)*deltaT/volume;
                 if (!(hits < mostHits))
                 {
@@ -239,11 +272,11 @@ impact::solidExchange::gains impact::solidExchange::exchange
                 }
                 scatter
                 (
-                    gas, s, solids.number[j], weight, deltaT/volume, b, rnd,
-                    g, total
+                    gas, s, solids.number[j], weight, deltaT/volume, both, b,
+                    rnd, g, total
                 );
             }
-            if (all)
+            if (!both)
             {
                 transfer_.advance
                 (
@@ -255,7 +288,7 @@ impact::solidExchange::gains impact::solidExchange::exchange
             solids.w[j] = s.velocity.z;
             solids.temperature[j] = s.temperature;
 
-            const double mass = solids.number[j]*body.mass;
+            const double mass = solids.number[j]*shape.mass;
             const vector3 dv = s.velocity - v0;
             g.solids.momentum = g.solids.momentum + mass*dv;
             g.solids.energy += mass
@@ -267,7 +300,7 @@ impact::solidExchange::gains impact::solidExchange::exchange
         total.greatestHits = std::fmax(total.greatestHits, hits);
     }
 
-    if (mode_ == mode::perCell && (solids.n || !ledger.isZero()))
+    if (twoWay() && (nOthers || !ledger.isZero()))
     {
         balance owed = ledger - g.solids;
         owed = owed - g.gas;

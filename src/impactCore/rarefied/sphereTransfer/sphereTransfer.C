@@ -97,10 +97,12 @@ impact::sphereTransfer::rates impact::sphereTransfer::on
         gas_, p, accommodation_/3*std::sqrt(2*M_PI*kT)
     );
     const double f = M_PI*s.radius*s.radius*density;
+    const double heating = f*accommodation_*sums.energy;
     return
     {
         {f*sums.force[0], f*sums.force[1], f*sums.force[2]},
-        f*accommodation_*(sums.energy - sums.cooling*kT),
+        heating - f*accommodation_*sums.cooling*kT,
+        heating,
         f*sums.drag,
         f*accommodation_*sums.cooling*maxwellian::boltzmann
     };
@@ -117,5 +119,9 @@ void impact::sphereTransfer::advance
     const double perMass = deltaT/s.mass;
     const double perHeat = perMass/specificHeat_;
     s.velocity = s.velocity + (perMass*relaxed(r.dragRate*perMass))*r.force;
-    s.temperature += perHeat*relaxed(r.coolingRate*perHeat)*r.heat;
+
+    // Two parts above zero, whatever their rounding
+    const double x = r.coolingRate*perHeat;
+    s.temperature =
+        s.temperature*std::exp(-x) + perHeat*relaxed(x)*r.heating;
 }
