@@ -10,6 +10,7 @@
 #include "meshTools.H"
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -379,6 +380,7 @@ bool Foam::EventDrivenCollisions<CloudType>::proceed(flight& f, mission& m)
         case ARRIVE: return arrive(f, m);
         case REST: return rest(f, m);
         case END_REST: return endRest(f, m);
+        case HOLD: return hold(f, m);
         case DISPLACE: return displace(f, m);
     }
     return true;
@@ -489,7 +491,9 @@ bool Foam::EventDrivenCollisions<CloudType>::rest(flight& f, mission& m)
     // In a corner it stays
     const scalar share = 1 - m.left;
     m.halt = share*pause < min(duration_.value(), 0.1*pause);
-    m.end = m.t + (m.halt ? pause : share*pause);
+
+    // Not beyond the step by round-off, or it would not end in it
+    m.end = min(m.t + (m.halt ? pause : share*pause), deltaT_);
     if (m.halt)
     {
         m.path.v = impact::vector3{0, 0, 0};
@@ -611,6 +615,23 @@ bool Foam::EventDrivenCollisions<CloudType>::displace(flight& f, mission& m)
         p.face() = -1;
     }
     m.way = p.position();
+    return true;
+}
+
+
+template<class CloudType>
+bool Foam::EventDrivenCollisions<CloudType>::hold(flight& f, mission& m)
+{
+    parcelType& p = *f.parcel;
+    m.energy = 0.5*p.mass()*magSqr(p.U());
+    p.U() = Zero;
+    m.begun = true;
+    m.boundary = false;
+    m.resting = false;
+    m.end = deltaT_;
+    stay(f, m);
+    p.age() += deltaT_ - m.t;
+    p.stepFraction() = 1;
     return true;
 }
 
@@ -789,11 +810,17 @@ void Foam::EventDrivenCollisions<CloudType>::collide
 {
     course& a = courses_[i];
     course& b = courses_[j];
-    const double pull = impact::mag(a.path.a) + impact::mag(b.path.a);
+    const double pull = a.pull + b.pull;
+    bool resting = false;
     const auto arrival = [&](course& c)
     {
         mission m(c.resting ? END_REST : ARRIVE, t);
         m.path = c.path;
+        if (c.held)
+        {
+            m.mass = std::numeric_limits<scalar>::infinity();
+            return m;
+        }
         fly(c, m);
         return m;
     };
@@ -801,12 +828,17 @@ void Foam::EventDrivenCollisions<CloudType>::collide
     mission bThen = arrival(b);
     const auto go = [&](course& c, mission& then)
     {
+        if (c.held)
+        {
+            return;
+        }
         if (then.boundary)
         {
+            ++c.events;
             adoptPlan(c, then);
             return;
         }
-        mission m(PLAN, t);
+        mission m(next(c, resting ? REST : PLAN, resting), t);
         m.U = then.U;
         m.omega = then.omega;
         m.setU = true;
@@ -825,15 +857,21 @@ void Foam::EventDrivenCollisions<CloudType>::collide
         };
         const impact::vector3 n = (1/impact::mag(separation))*separation;
         const double approach = impact::dot(n, first.v - second.v);
-        const bool elastic =
-            duration_.elastic(a.recent, t, approach, pull)
-         || duration_.elastic(b.recent, t, approach, pull);
+        resting =
+            a.held || b.held
+         || duration_.rests(a.recent, t) || duration_.rests(b.recent, t);
+        const bool elastic = !resting
+         && (
+                duration_.elastic(a.recent, t, approach, pull)
+             || duration_.elastic(b.recent, t, approach, pull)
+            );
         const impact::pairCollision out =
-            law_.collide(first, second, n, elastic);
+            (resting ? restingLaw_ : law_).collide(first, second, n, elastic);
         if (approach > 0)
         {
-            duration_.count(a.recent, t);
-            duration_.count(b.recent, t);
+            const bool slow = duration_.slow(approach, pull);
+            duration_.count(a.recent, t, slow);
+            duration_.count(b.recent, t, slow);
             ++report_.pairEvents;
             report_.rankPairs += a.rank != b.rank;
             report_.restitutionLoss += out.restitutionLoss;
@@ -865,7 +903,7 @@ bool Foam::EventDrivenCollisions<CloudType>::hitWall
         mission m(END_REST, t);
         m.path = c.path;
         fly(c, m);
-        mission then(PLAN, t);
+        mission then(next(c, PLAN, true), t);
         fly(c, then);
         adoptPlan(c, then);
         return true;
@@ -877,7 +915,8 @@ bool Foam::EventDrivenCollisions<CloudType>::hitWall
         c.firstHit = t;
         c.hits = 0;
     }
-    mission m(++c.hits > 8 ? REST : PLAN, t);
+    const bool rests = ++c.hits > 8;
+    mission m(next(c, rests ? REST : PLAN, rests), t);
     const leg last = commitLegs(c, m.keep);
     c.rank = last.rank;
     c.slot = last.slot;
@@ -897,7 +936,7 @@ bool Foam::EventDrivenCollisions<CloudType>::hitWall
 template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::info()
 {
-    FixedList<scalar, 7> step;
+    FixedList<scalar, 9> step;
     step[0] = report_.pairEvents;
     step[1] = report_.wallEvents;
     step[2] = report_.restitutionLoss;
@@ -905,6 +944,8 @@ void Foam::EventDrivenCollisions<CloudType>::info()
     step[4] = report_.overlappingInjection;
     step[5] = report_.rankPairs;
     step[6] = report_.handOvers;
+    step[7] = report_.held;
+    step[8] = report_.heldEnergy;
     forAll(step, i)
     {
         reduce(step[i], sumOp<scalar>());
@@ -924,6 +965,10 @@ void Foam::EventDrivenCollisions<CloudType>::info()
     Info<< "    Deepest overlap                 = " << overlap
         << "; in all " << deepest_ << nl;
     line("    Lost to restitution, friction   = ", 2);
+    if (totals_[7] > 0)
+    {
+        line("    Held parcels, their energy      = ", 7);
+    }
     if (Pstream::parRun())
     {
         line("    Pairs, hand-overs between ranks = ", 5);

@@ -398,6 +398,16 @@ void Foam::EventDrivenCollisions<CloudType>::adoptPlan
     c.end = m.end;
     c.boundary = m.boundary;
     c.resting = m.resting;
+    if (m.kind == HOLD)
+    {
+        ++report_.held;
+        report_.heldEnergy += m.energy;
+        return;
+    }
+    if (!m.resting)
+    {
+        c.pull = impact::mag(m.path.a);
+    }
 }
 
 
@@ -454,6 +464,9 @@ void Foam::EventDrivenCollisions<CloudType>::planAll()
         c.radius = 0.5*f.parcel->d();
         c.firstHit = -GREAT;
         c.hits = 0;
+        c.events = 0;
+        c.held = false;
+        c.pull = 0;
         c.rank = rank;
         c.slot = i;
         c.next = done ? -1 : -2;
