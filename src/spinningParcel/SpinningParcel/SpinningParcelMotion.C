@@ -147,10 +147,11 @@ bool Foam::SpinningParcel<ParcelType>::moveEmbedded
 
     // A part of the evaluations is kept for exponential steps without error
     // control, three each and three more where a face cuts one, with which a
-    // parcel can still stop at the tetrahedra. The last one stops at nothing
-    // but a face.
-    const label kept = 24;
-    const label last = 12;
+    // parcel can still stop at the tetrahedra. The last but one may be cut
+    // once, the last one stops at nothing but a face.
+    const label kept = 27;
+    const label last = 15;
+    const label veryLast = 12;
     label left = maxForces;
     label stalls = 0;
     label hits = 0;
@@ -192,10 +193,16 @@ bool Foam::SpinningParcel<ParcelType>::moveEmbedded
             const scalar gasSpeed = mag(fromCore(gas.u));
             const scalar gasSpin = mag(fromCore(gas.spin));
 
-            // Not far beyond the cell: the gas is not known there
+            // Not far beyond the cell: the gas is not known there. The very last
+            // step goes as far as it may, through gas like that around: the
+            // continuation of a shock would turn the parcel back.
             const bool final = left < last;
             scalar hMax = t;
-            if (!final)
+            if (left < veryLast)
+            {
+                force.hold();
+            }
+            else
             {
                 hMax = min
                 (
@@ -293,7 +300,7 @@ bool Foam::SpinningParcel<ParcelType>::moveEmbedded
                     if
                     (
                         !again
-                     && left >= 9
+                     && left >= veryLast
                      && (p.tetFace() != from.tetFace || p.tetPt() != from.tetPt)
                     )
                     {

@@ -147,3 +147,22 @@ for rake in rakes:
     verdict(f"chainIsFrozen_{rake}", dv <= 1e-4,
             f"speed in the chain against frozen fields {dv:.1e},"
             " tolerance 1e-4")
+
+# A tolerance that the evaluations allowed between two faces do not reach must
+# not throw parcels off in the shock
+frozen("strict")
+edit("strict", "constant/sandCloud", "1e-5;", "1e-6;")
+log = solve("strict")
+uncontrolled = max(int(n) for n in re.findall(
+    r"cut, uncontrolled, at rest *= *\d+, (\d+),", log))
+for rake in rakes:
+    one, other = first_impacts("frozen1", rake), first_impacts("strict", rake)
+    common = np.isin(one["origId"], other["origId"])
+    one = one[common]
+    other = other[np.isin(other["origId"], one["origId"])]
+    dv = abs(np.hypot(one["Ux"], one["Uy"])
+             - np.hypot(other["Ux"], other["Uy"])).max()/1797.17
+    verdict(f"strictTolerance_{rake}",
+            dv <= 1e-3 and np.mean(common) > 0.99 and uncontrolled > 1000,
+            f"impact speeds of {len(one)} parcels within {dv:.1e} of the"
+            " stream's of those with a tolerance of 1e-5, tolerance 1e-3")
