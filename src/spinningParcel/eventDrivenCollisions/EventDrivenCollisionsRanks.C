@@ -404,8 +404,9 @@ void Foam::EventDrivenCollisions<CloudType>::adoptPlan
         report_.heldEnergy += m.energy;
         return;
     }
-    if (!m.resting)
+    if (!m.resting && !m.boundary)
     {
+        // A short way to a wall is too coarse to see a force by
         c.pull = impact::mag(m.path.a);
     }
 }
