@@ -14,7 +14,6 @@ from caseTools import (box, decompose, must, write_block, write_case,
 RADIUS = 2.5e-6
 CELLS = (60, 60, 1)
 SPEED = 300.0
-STEPS = 20
 
 CLOUD = """
 type spinningKinematicCloud;
@@ -60,12 +59,13 @@ SIDES = ("xMin", "xMax", "yMin", "yMax")
 
 def measured(n, fraction, collisions, ranks=1):
     """CPU seconds per parcel and step, pairs per parcel and step, peak MiB"""
+    steps = 20 if n < 500000 else 4
     side = math.sqrt(n*2*math.pi*RADIUS**2/(3*fraction))
     dt = 0.1*side/CELLS[0]/SPEED
     shutil.rmtree("case", ignore_errors=True)
     os.mkdir("case")
-    write_case("case", {"endTime": STEPS*dt, "deltaT": dt,
-                        "writeInterval": STEPS*dt,
+    write_case("case", {"endTime": steps*dt, "deltaT": dt,
+                        "writeInterval": steps*dt,
                         "libs": "(spinningParcel)"}, {"mode": "frozen"})
     write_block("case", box((side, side, 1e-4)), CELLS,
                 {name: "patch" for name in SIDES})
