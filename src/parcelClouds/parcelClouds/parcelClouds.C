@@ -105,6 +105,7 @@ Foam::parcelClouds::parcelClouds
     U_(U),
     thermo_(thermo),
     mu_(nullptr),
+    g_(readG(mesh)),
     clouds_()
 {
     const wordList names(readNames(mesh));
@@ -114,14 +115,13 @@ Foam::parcelClouds::parcelClouds
     }
 
     const volScalarField& viscosity = mu();
-    const dimensionedVector g(readG(mesh));
     clouds_.resize(names.size());
     forAll(names, i)
     {
         clouds_.set
         (
             i,
-            parcelCloudModel::New(names[i], rho, U, viscosity, g)
+            parcelCloudModel::New(names[i], rho, U, viscosity, g_)
         );
     }
 }

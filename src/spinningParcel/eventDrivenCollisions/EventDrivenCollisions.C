@@ -9,6 +9,10 @@
 #include "cyclicAMIPolyPatch.H"
 #include "meshTools.H"
 
+#include <algorithm>
+#include <limits>
+#include <tuple>
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<class CloudType>
@@ -98,10 +102,6 @@ void Foam::EventDrivenCollisions<CloudType>::checkCloud() const
     {
         refuse("collisions", "eventDriven", "(off, on a moving mesh)");
     }
-    if (Pstream::parRun())
-    {
-        refuse("collisions", "eventDriven", "(off, on several ranks)");
-    }
     const label n = cloud_.mesh().nGeometricD();
     if (dimension_ != n || n < 2)
     {
@@ -153,13 +153,16 @@ void Foam::EventDrivenCollisions<CloudType>::collect()
 {
     flights_.clear();
     flights_.reserve(cloud_.size());
+    label n = 0;
     for (parcelType& p : cloud_)
     {
+        const bool injected = n++ >= nParcels_;
         p.stepFraction() = 0;
         if (p.active())
         {
             checkNumber(p);
             flights_.emplace_back(p);
+            flights_.back().injected = injected;
         }
         else if (!p.move(cloud_, *td_, deltaT_))
         {
@@ -172,120 +175,185 @@ void Foam::EventDrivenCollisions<CloudType>::collect()
 template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::admitInjected()
 {
-    if (nParcels_ < 0 || cloud_.size() <= nParcels_)
+    // Others matter near new parcels only, or at the ends of a period
+    boundBox near;
+    scalar largest = 0;
+    bool any = false;
+    for (const flight& f : flights_)
+    {
+        largest = max(largest, f.parcel->d());
+        if (f.injected)
+        {
+            any = true;
+            near.add(f.parcel->position());
+        }
+    }
+    reduce(any, orOp<bool>());
+    if (!any)
     {
         return;
     }
-
-    // Injected parcels stand at the end of the list. Others matter near them
-    // only, or at the ends of a period
-    struct member
-    {
-        parcelType* parcel;
-        bool injected;
-    };
-    std::vector<member> members;
-    boundBox near;
-    scalar largest = 0;
-    label n = 0;
-    for (parcelType& p : cloud_)
-    {
-        largest = max(largest, p.d());
-        if (n++ >= nParcels_)
-        {
-            near.add(p.position());
-        }
-    }
+    reduce(largest, maxOp<scalar>());
+    near.reduce();
     const vector margin(2*largest*vector::one);
     near = boundBox(near.min() - margin, near.max() + margin);
     const bool* periodic = step_.grid().domain().periodic;
     const bool all = periodic[0] || periodic[1] || periodic[2];
-    n = 0;
-    for (parcelType& p : cloud_)
+
+    struct member
     {
-        const bool injected = n++ >= nParcels_;
-        if (injected || all || near.contains(p.position()))
-        {
-            members.push_back({&p, injected});
-        }
-    }
+        std::uint64_t identity;
+        vector x;
+        scalar d, mass;
+        label rank, slot;
+        bool injected;
+    };
+    struct pair
+    {
+        std::int32_t i, j, image;
+    };
 
     // Moving a pair apart may bring one of them upon a third
     for (label sweep = 0; sweep < (separate_ ? 20 : 1); ++sweep)
     {
-        impact::sweptGrid grid(step_.grid().domain());
-        grid.resize(members.size());
-        for (std::size_t i = 0; i < members.size(); ++i)
+        std::vector<member> members;
+        for (std::size_t i = 0; i < flights_.size(); ++i)
         {
-            const point x = members[i].parcel->position();
-            const scalar r = 0.5*members[i].parcel->d();
-            for (int k = 0; k < 3; ++k)
+            const flight& f = flights_[i];
+            if (!f.parcel)
             {
-                grid.box(i).low[k] = x[k] - r;
-                grid.box(i).high[k] = x[k] + r;
+                continue;
+            }
+            const parcelType& p = *f.parcel;
+            const point x = p.position();
+            if (f.injected || all || near.contains(x))
+            {
+                members.push_back
+                ({
+                    identityOf(p), x, p.d(), p.mass(), Pstream::myProcNo(),
+                    label(i), f.injected
+                });
             }
         }
-        grid.build();
+        gather(members);
 
-        std::vector<char> removed(members.size(), 0);
         label nOverlaps = 0;
-        const auto treat =
-            [&](std::int32_t i, std::int32_t j, const std::int32_t image)
+        if (Pstream::master())
+        {
+            impact::sweptGrid grid(step_.grid().domain());
+            grid.resize(members.size());
+            for (std::size_t i = 0; i < members.size(); ++i)
             {
-                if (!members[i].injected && !members[j].injected)
+                const scalar r = 0.5*members[i].d;
+                for (int k = 0; k < 3; ++k)
                 {
-                    return;
+                    grid.box(i).low[k] = members[i].x[k] - r;
+                    grid.box(i).high[k] = members[i].x[k] + r;
                 }
-                parcelType& a = *members[i].parcel;
-                parcelType& b = *members[j].parcel;
+            }
+            grid.build();
+
+            // In the order of the identities, on any number of ranks
+            std::vector<pair> pairs;
+            grid.pairs
+            (
+                [&](std::int32_t i, std::int32_t j, std::int32_t image)
+                {
+                    if (!members[i].injected && !members[j].injected)
+                    {
+                        return;
+                    }
+                    if (members[j].identity < members[i].identity)
+                    {
+                        std::swap(i, j);
+                        image = 2*impact::sweptGrid::noImage - image;
+                    }
+                    pairs.push_back({i, j, image});
+                }
+            );
+            std::sort
+            (
+                pairs.begin(), pairs.end(),
+                [&](const pair& a, const pair& b)
+                {
+                    const auto key = [&](const pair& c)
+                    {
+                        return std::make_tuple
+                        (
+                            members[c.i].identity, members[c.j].identity,
+                            c.image
+                        );
+                    };
+                    return key(a) < key(b);
+                }
+            );
+
+            std::vector<char> removed(members.size(), 0);
+            const auto displaced = [&](member& a, const vector& way)
+            {
+                course c;
+                c.rank = a.rank;
+                c.slot = a.slot;
+                c.next = -1;
+                mission m(DISPLACE, 0);
+                m.way = way;
+                m.injected = a.injected;
+                fly(c, m);
+                a.rank = c.rank;
+                a.slot = c.slot;
+                a.x = m.way;
+            };
+            for (const pair& c : pairs)
+            {
+                member& a = members[c.i];
+                member& b = members[c.j];
                 const vector s = solved
                 (
-                    b.position() - a.position()
+                    b.x - a.x
                   + (
-                        image == impact::sweptGrid::noImage
+                        c.image == impact::sweptGrid::noImage
                       ? vector(Zero)
-                      : fromCore(grid.shift(image))
+                      : fromCore(grid.shift(c.image))
                     )
                 );
-                const scalar sigma = 0.5*(a.d() + b.d());
+                const scalar sigma = 0.5*(a.d + b.d);
                 const scalar overlap = sigma - mag(s);
-                if (overlap <= 1e-12*sigma || removed[i] || removed[j])
+                if (overlap <= 1e-12*sigma || removed[c.i] || removed[c.j])
                 {
-                    return;
+                    continue;
                 }
                 ++nOverlaps;
                 if (!separate_)
                 {
                     // The later of the two goes
-                    removed[members[j].injected && j > i ? j : i] = 1;
-                    return;
+                    const std::int32_t late = b.injected ? c.j : c.i;
+                    removed[late] = 1;
+                    request r
+                    {
+                        COMMIT, members[late].slot, -1, 0, mission(PLAN, 0)
+                    };
+                    ask(members[late].rank, r);
+                    continue;
                 }
                 vector along(Zero);
                 along[directions_.x() > 0 ? 0 : 1] = 1;
                 const vector e = mag(s) > 1e-9*sigma ? s/mag(s) : along;
-                const scalar share = b.mass()/(a.mass() + b.mass());
+                const scalar share = b.mass/(a.mass + b.mass);
                 const scalar way = (1 + 1e-9)*overlap;
-                a.track(-share*way*e, 0);
-                b.track((1 - share)*way*e, 0);
-                a.face() = -1;
-                b.face() = -1;
-            };
-        grid.pairs(treat);
-
-        if (sweep == 0)
-        {
-            report_.overlappingInjection += nOverlaps;
-        }
-        if (!separate_)
-        {
-            for (std::size_t i = 0; i < members.size(); ++i)
+                displaced(a, -share*way*e);
+                displaced(b, (1 - share)*way*e);
+            }
+            dismiss();
+            if (sweep == 0)
             {
-                if (removed[i])
-                {
-                    cloud_.deleteParticle(*members[i].parcel);
-                }
+                report_.overlappingInjection = nOverlaps;
             }
         }
+        else
+        {
+            serve();
+        }
+        Pstream::scatter(nOverlaps);
         if (nOverlaps == 0)
         {
             break;
@@ -295,185 +363,276 @@ void Foam::EventDrivenCollisions<CloudType>::admitInjected()
 
 
 template<class CloudType>
-void Foam::EventDrivenCollisions<CloudType>::plan
-(
-    flight& f,
-    const scalar t
-)
+bool Foam::EventDrivenCollisions<CloudType>::proceed(flight& f, mission& m)
+{
+    if (m.setU)
+    {
+        f.parcel->U() = m.U;
+        if (law_.spin())
+        {
+            f.parcel->omega() = m.omega;
+        }
+        m.setU = false;
+    }
+    switch (m.kind)
+    {
+        case PLAN: return plan(f, m);
+        case ARRIVE: return arrive(f, m);
+        case REST: return rest(f, m);
+        case END_REST: return endRest(f, m);
+        case HOLD: return hold(f, m);
+        case DISPLACE: return displace(f, m);
+    }
+    return true;
+}
+
+
+template<class CloudType>
+bool Foam::EventDrivenCollisions<CloudType>::plan(flight& f, mission& m)
 {
     parcelType& p = *f.parcel;
-    f.resting = false;
-    f.boundary = false;
-    f.end = deltaT_;
+    bool moves = m.begun;
     f.firstRecord = planned_.size();
-    f.path.x = toCore(solved(p.position()));
-    f.path.v = toCore(solved(p.U()));
-    f.path.a = impact::vector3{0, 0, 0};
-    f.path.start = t;
-    f.start = typename plannedCloud::state(p);
+    if (!m.begun)
+    {
+        m.begun = true;
+        m.resting = false;
+        m.boundary = false;
+        m.end = deltaT_;
+        m.path.x = toCore(solved(p.position()));
+        m.path.v = toCore(solved(p.U()));
+        m.path.a = impact::vector3{0, 0, 0};
+        m.path.start = m.t;
+        f.start = typename plannedCloud::state(p);
+    }
     if (p.stepFraction() < 1)
     {
+        moves = true;
         p.move(planned_, *td_, deltaT_);
-        f.boundary = td_->switchProcessor;
-        f.end = p.stepFraction() < 1 ? p.stepFraction()*deltaT_ : deltaT_;
+        f.lastRecord = planned_.size();
+        if (td_->switchProcessor && atPass(p))
+        {
+            return false;
+        }
+        m.boundary = td_->switchProcessor;
+    }
+    f.lastRecord = planned_.size();
+    if (moves)
+    {
+        m.end = p.stepFraction() < 1 ? p.stepFraction()*deltaT_ : deltaT_;
 
         // Round-off of positions must not look like an acceleration
-        const scalar h = f.end - t;
+        const scalar h = m.end - m.path.start;
         const point end = solved(p.position());
         const vector bend =
-            end - fromCore(f.path.x) - h*fromCore(f.path.v);
+            end - fromCore(m.path.x) - h*fromCore(m.path.v);
         if
         (
             cmptMax(cmptMag(bend)) > 1e-14*cmptMax(cmptMag(end))
          && h > 1e-9*deltaT_
         )
         {
-            f.path.a = toCore(2/sqr(h)*bend);
+            m.path.a = toCore(2/sqr(h)*bend);
         }
     }
-    f.lastRecord = planned_.size();
+    return true;
 }
 
 
 template<class CloudType>
-void Foam::EventDrivenCollisions<CloudType>::stay
-(
-    flight& f,
-    const scalar t
-)
+void Foam::EventDrivenCollisions<CloudType>::stay(flight& f, mission& m)
 {
-    f.path.x = toCore(solved(f.parcel->position()));
-    f.path.v = impact::vector3{0, 0, 0};
-    f.path.a = impact::vector3{0, 0, 0};
-    f.path.start = t;
+    m.path.x = toCore(solved(f.parcel->position()));
+    m.path.v = impact::vector3{0, 0, 0};
+    m.path.a = impact::vector3{0, 0, 0};
+    m.path.start = m.t;
     f.start = typename plannedCloud::state(*f.parcel);
     f.firstRecord = f.lastRecord = planned_.size();
 }
 
 
 template<class CloudType>
-void Foam::EventDrivenCollisions<CloudType>::rest
-(
-    flight& f,
-    const scalar t
-)
+bool Foam::EventDrivenCollisions<CloudType>::rest(flight& f, mission& m)
 {
     parcelType& p = *f.parcel;
-    const scalar pause = min(0.1*deltaT_, deltaT_ - t);
-
-    // What is left of the velocity towards or off the wall goes. A little
-    // off it, so that the tracking does not meet the face again at once
-    if (p.onBoundaryFace())
+    const scalar pause = min(0.1*deltaT_, deltaT_ - m.t);
+    const bool home = !m.begun;
+    if (home)
     {
-        vector n = p.mesh().faceAreas()[p.face()];
-        n /= mag(n);
-        p.U() -= (p.U() & n)*n;
-        p.U() -= 1e-6*mag(p.U())*n;
+        // What is left of the velocity towards or off the wall goes. A
+        // little off it, so that the tracking does not meet the face again
+        // at once
+        if (p.onBoundaryFace() && !atPass(p))
+        {
+            vector n = p.mesh().faceAreas()[p.face()];
+            n /= mag(n);
+            p.U() -= (p.U() & n)*n;
+            p.U() -= 1e-6*mag(p.U())*n;
+        }
+        m.begun = true;
+        m.boundary = false;
+        m.resting = true;
+        stay(f, m);
+        m.path.v = toCore(solved(p.U()));
+        m.way = pause*p.U();
+        ++cloud_.statistics().nPauses;
+    }
+
+    m.left *= p.track(m.left*m.way, 0);
+    if (m.left > 0 && atPass(p) && m.hops < maxHops)
+    {
+        return false;
+    }
+    if (home)
+    {
+        f.start.restore(p);
     }
 
     // In a corner it stays
-    const typename plannedCloud::state here(p);
-    const scalar share = 1 - p.track(pause*p.U(), 0);
-    here.restore(p);
-    if (share < 1e-6)
-    {
-        p.U() = Zero;
-    }
+    const scalar share = 1 - m.left;
+    m.halt = share*pause < min(duration_.value(), 0.1*pause);
 
-    f.boundary = false;
-    f.resting = true;
-    f.end = share < 1e-6 ? t + pause : t + share*pause;
-    stay(f, t);
-    f.path.v = toCore(solved(p.U()));
-    ++cloud_.statistics().nPauses;
+    // Not beyond the step by round-off, or it would not end in it
+    m.end = min(m.t + (m.halt ? pause : share*pause), deltaT_);
+    if (m.halt)
+    {
+        m.path.v = impact::vector3{0, 0, 0};
+        if (home)
+        {
+            p.U() = Zero;
+        }
+    }
+    return true;
 }
 
 
 template<class CloudType>
-void Foam::EventDrivenCollisions<CloudType>::endRest
-(
-    flight& f,
-    const scalar t
-)
+bool Foam::EventDrivenCollisions<CloudType>::endRest(flight& f, mission& m)
 {
     parcelType& p = *f.parcel;
-    const scalar pause = t - f.path.start;
-    f.resting = false;
+    const scalar pause = m.t - m.path.start;
     if (pause > 0)
     {
-        const point from = p.position();
+        if (!m.begun)
+        {
+            m.begun = true;
+            m.way = p.position();
+        }
+        m.left *= p.track(m.left*pause*p.U(), 0);
+        if (m.left > 0 && atPass(p) && m.hops < maxHops)
+        {
+            return false;
+        }
         td_->keepParticle = true;
-        p.track(pause*p.U(), 0);
         p.face() = -1;
         p.setCellValues(cloud_, *td_);
         p.calc(cloud_, *td_, pause);
         p.age() += pause;
         cloud_.functions().postMove
-            (p, pause, from, td_->keepParticle);
+            (p, pause, m.way, td_->keepParticle);
         f.keep = f.keep && td_->keepParticle;
     }
-    p.stepFraction() = t < deltaT_ ? t/deltaT_ : 1;
+    m.resting = false;
+    p.stepFraction() = m.t < deltaT_ ? m.t/deltaT_ : 1;
+    return true;
 }
 
 
 template<class CloudType>
-bool Foam::EventDrivenCollisions<CloudType>::arrive
-(
-    flight& f,
-    const scalar t
-)
+bool Foam::EventDrivenCollisions<CloudType>::arrive(flight& f, mission& m)
 {
     parcelType& p = *f.parcel;
-    if (f.resting)
-    {
-        endRest(f, t);
-        return true;
-    }
-
-    const scalar begin = f.path.start;
-    f.start.restore(p);
+    const scalar begin = m.path.start;
+    const scalar time = m.t - begin;
     bool hit = false;
-    if (t - begin > 1e-14*deltaT_)
+    if (!m.begun)
     {
-        const label first = planned_.size();
-        p.stepFraction() = 0;
-        p.move(planned_, *td_, t - begin);
-        hit = td_->switchProcessor;
-        planned_.rescale(first, begin/deltaT_, (t - begin)/deltaT_);
-        f.keep = planned_.replay(p, first, planned_.size()) && f.keep;
+        m.begun = true;
+        f.start.restore(p);
+        m.settling = time <= 1e-14*deltaT_;
+        if (!m.settling)
+        {
+            p.stepFraction() = 0;
+        }
+    }
+    if (!m.settling)
+    {
+        f.firstRecord = planned_.size();
+        if (p.stepFraction() < 1)
+        {
+            p.move(planned_, *td_, time);
+            hit = td_->switchProcessor;
+        }
+        f.lastRecord = planned_.size();
+        planned_.rescale(f.firstRecord, begin/deltaT_, time/deltaT_);
+        act(f);
+        if (hit && atPass(p))
+        {
+            return false;
+        }
+        m.settling = true;
     }
     if (!hit)
     {
         // From where the integration leads to the parabola
         p.track
         (
-            solved(fromCore(f.path.position(t)) - p.position()),
+            solved(fromCore(m.path.position(m.t)) - p.position()),
             0
         );
+        if (atPass(p) && m.hops < maxHops)
+        {
+            return false;
+        }
         hit =
             p.onBoundaryFace()
+         && !atPass(p)
          && (p.U() & p.mesh().faceAreas()[p.face()]) > 0;
     }
-    p.stepFraction() = t < deltaT_ ? t/deltaT_ : 1;
+    p.stepFraction() = m.t < deltaT_ ? m.t/deltaT_ : 1;
+    m.boundary = hit;
     if (hit)
     {
         // Its boundary event is due, and comes first
-        f.boundary = true;
-        f.end = t;
-        stay(f, t);
+        m.end = m.t;
+        stay(f, m);
     }
-    return !hit;
+    return true;
 }
 
 
 template<class CloudType>
-impact::collidingSphere Foam::EventDrivenCollisions<CloudType>::sphere
-(
-    const flight& f
-) const
+bool Foam::EventDrivenCollisions<CloudType>::displace(flight& f, mission& m)
 {
-    const parcelType& p = *f.parcel;
-    return {toCore(p.U()), toCore(p.omega()), p.mass(), 0.5*p.d()};
+    parcelType& p = *f.parcel;
+    if (magSqr(m.way) > 0)
+    {
+        m.left *= p.track(m.left*m.way, 0);
+        if (m.left > 0 && atPass(p) && m.hops < maxHops)
+        {
+            return false;
+        }
+        p.face() = -1;
+    }
+    m.way = p.position();
+    return true;
+}
+
+
+template<class CloudType>
+bool Foam::EventDrivenCollisions<CloudType>::hold(flight& f, mission& m)
+{
+    parcelType& p = *f.parcel;
+    m.energy = 0.5*p.mass()*magSqr(p.U());
+    p.U() = Zero;
+    m.begun = true;
+    m.boundary = false;
+    m.resting = false;
+    m.end = deltaT_;
+    stay(f, m);
+    p.age() += deltaT_ - m.t;
+    p.stepFraction() = 1;
+    return true;
 }
 
 
@@ -505,6 +664,7 @@ Foam::EventDrivenCollisions<CloudType>::EventDrivenCollisions
             }
         )
     ),
+    restingLaw_(0, law_.friction(), law_.spin(), law_.tangentialRestitution()),
     duration_
     (
         checked
@@ -555,11 +715,18 @@ Foam::EventDrivenCollisions<CloudType>::EventDrivenCollisions
     }
     dict.readIfPresent("slabThickness", slabThickness_);
     checkCloud();
+    setPasses();
 
     Info<< "Selecting parcel collisions eventDriven: " << dimension_
         << " dimensions, restitution " << law_.restitution()
         << ", friction " << law_.friction()
         << ", contact duration " << duration_.value() << " s" << endl;
+    if (Pstream::parRun())
+    {
+        Info<< "    Events are ordered by the master for all "
+            << Pstream::nProcs() << " ranks: the halo is the whole domain"
+            << endl;
+    }
 
     nParcels_ = cloud.size();
 }
@@ -576,45 +743,54 @@ void Foam::EventDrivenCollisions<CloudType>::motion(trackingData& td)
     report_ = report();
     planned_.clear();
 
-    admitInjected();
     collect();
-    for (flight& f : flights_)
+    admitInjected();
+    planAll();
+
+    if (Pstream::master())
     {
-        plan(f, 0);
+        std::string failure;
+        try
+        {
+            const impact::collisionCounts counts = step_.run(*this, deltaT_);
+            report_.wallEvents = counts.wallEvents;
+            report_.deepestOverlap = counts.deepestOverlap;
+        }
+        catch (const std::runtime_error& error)
+        {
+            failure = error.what();
+        }
+        catch (const std::invalid_argument& error)
+        {
+            failure = error.what();
+        }
+        if (!failure.empty())
+        {
+            FatalErrorInFunction
+                << "Cloud " << cloud_.name() << ": " << failure
+                << exit(FatalError);
+        }
+        commitAll();
+        dismiss();
+    }
+    else
+    {
+        serve();
     }
 
-    std::string failure;
-    try
-    {
-        const impact::collisionCounts counts = step_.run(*this, deltaT_);
-        report_.wallEvents = counts.wallEvents;
-        report_.deepestOverlap = counts.deepestOverlap;
-    }
-    catch (const std::runtime_error& error)
-    {
-        failure = error.what();
-    }
-    catch (const std::invalid_argument& error)
-    {
-        failure = error.what();
-    }
-    if (!failure.empty())
-    {
-        FatalErrorInFunction
-            << "Cloud " << cloud_.name() << ": " << failure
-            << exit(FatalError);
-    }
-
     for (flight& f : flights_)
     {
-        if
-        (
-            f.parcel
-         && !(
-                planned_.replay(*f.parcel, f.firstRecord, f.lastRecord)
-             && f.keep
-            )
-        )
+        if (!f.parcel)
+        {
+            continue;
+        }
+        if (f.guest)
+        {
+            delete f.parcel;
+            continue;
+        }
+        act(f);
+        if (!f.keep)
         {
             cloud_.deleteParticle(*f.parcel);
         }
@@ -632,46 +808,85 @@ void Foam::EventDrivenCollisions<CloudType>::collide
     const double t
 )
 {
-    flight& a = flights_[i];
-    flight& b = flights_[j];
-    const double pull = impact::mag(a.path.a) + impact::mag(b.path.a);
-    const bool aThere = arrive(a, t);
-    const bool bThere = arrive(b, t);
-    if (aThere && bThere)
+    course& a = courses_[i];
+    course& b = courses_[j];
+    const double pull = a.pull + b.pull;
+    bool resting = false;
+    const auto arrival = [&](course& c)
     {
-        const impact::collidingSphere first = sphere(a);
-        const impact::collidingSphere second = sphere(b);
+        mission m(c.resting ? END_REST : ARRIVE, t);
+        m.path = c.path;
+        if (c.held)
+        {
+            m.mass = std::numeric_limits<scalar>::infinity();
+            return m;
+        }
+        fly(c, m);
+        return m;
+    };
+    mission aThen = arrival(a);
+    mission bThen = arrival(b);
+    const auto go = [&](course& c, mission& then)
+    {
+        if (c.held)
+        {
+            return;
+        }
+        if (then.boundary)
+        {
+            ++c.events;
+            adoptPlan(c, then);
+            return;
+        }
+        mission m(next(c, resting ? REST : PLAN, resting), t);
+        m.U = then.U;
+        m.omega = then.omega;
+        m.setU = true;
+        fly(c, m);
+        adoptPlan(c, m);
+    };
+    if (!aThen.boundary && !bThen.boundary)
+    {
+        const impact::collidingSphere first
+        {
+            toCore(aThen.U), toCore(aThen.omega), aThen.mass, a.radius
+        };
+        const impact::collidingSphere second
+        {
+            toCore(bThen.U), toCore(bThen.omega), bThen.mass, b.radius
+        };
         const impact::vector3 n = (1/impact::mag(separation))*separation;
         const double approach = impact::dot(n, first.v - second.v);
-        const bool elastic =
-            duration_.elastic(a.recent, t, approach, pull)
-         || duration_.elastic(b.recent, t, approach, pull);
+        resting =
+            a.held || b.held
+         || duration_.rests(a.recent, t) || duration_.rests(b.recent, t);
+        const bool elastic = !resting
+         && (
+                duration_.elastic(a.recent, t, approach, pull)
+             || duration_.elastic(b.recent, t, approach, pull)
+            );
         const impact::pairCollision out =
-            law_.collide(first, second, n, elastic);
+            (resting ? restingLaw_ : law_).collide(first, second, n, elastic);
         if (approach > 0)
         {
-            duration_.count(a.recent, t);
-            duration_.count(b.recent, t);
+            const bool slow = duration_.slow(approach, pull);
+            duration_.count(a.recent, t, slow);
+            duration_.count(b.recent, t, slow);
             ++report_.pairEvents;
+            report_.rankPairs += a.rank != b.rank;
             report_.restitutionLoss += out.restitutionLoss;
             report_.frictionLoss += out.frictionLoss;
         }
-        a.parcel->U() = fromCore(out.v1);
-        b.parcel->U() = fromCore(out.v2);
+        aThen.U = fromCore(out.v1);
+        bThen.U = fromCore(out.v2);
         if (law_.spin())
         {
-            a.parcel->omega() = fromCore(out.omega1);
-            b.parcel->omega() = fromCore(out.omega2);
+            aThen.omega = fromCore(out.omega1);
+            bThen.omega = fromCore(out.omega2);
         }
     }
-    if (aThere)
-    {
-        plan(a, t);
-    }
-    if (bThere)
-    {
-        plan(b, t);
-    }
+    go(a, aThen);
+    go(b, bThen);
 }
 
 
@@ -682,40 +897,38 @@ bool Foam::EventDrivenCollisions<CloudType>::hitWall
     const double t
 )
 {
-    flight& f = flights_[i];
-    parcelType& p = *f.parcel;
-    if (f.resting)
+    course& c = courses_[i];
+    if (c.resting)
     {
-        endRest(f, t);
-        plan(f, t);
+        mission m(END_REST, t);
+        m.path = c.path;
+        fly(c, m);
+        mission then(next(c, PLAN, true), t);
+        fly(c, then);
+        adoptPlan(c, then);
         return true;
     }
 
-    f.keep = planned_.replay(p, f.firstRecord, f.lastRecord) && f.keep;
-    td_->keepParticle = true;
-    td_->switchProcessor = false;
-    p.hitFace(p.U(), cloud_, *td_);
-    if (!td_->keepParticle || !f.keep)
+    // A parcel that is pressed against a wall does not bounce for ever
+    if (t - c.firstHit >= duration_.value())
     {
-        cloud_.deleteParticle(p);
-        f.parcel = nullptr;
+        c.firstHit = t;
+        c.hits = 0;
+    }
+    const bool rests = ++c.hits > 8;
+    mission m(next(c, rests ? REST : PLAN, rests), t);
+    const leg last = commitLegs(c, m.keep);
+    c.rank = last.rank;
+    c.slot = last.slot;
+    c.next = -1;
+    request r{HIT, c.slot, -1, 0, m};
+    response done = ask(c.rank, r);
+    if (done.gone)
+    {
         return false;
     }
-
-    // A parcel that is pressed against a wall does not bounce for ever
-    if (t - f.firstHit >= duration_.value())
-    {
-        f.firstHit = t;
-        f.hits = 0;
-    }
-    if (++f.hits > 8)
-    {
-        rest(f, t);
-    }
-    else
-    {
-        plan(f, t);
-    }
+    follow(c, m, done);
+    adoptPlan(c, m);
     return true;
 }
 
@@ -723,12 +936,16 @@ bool Foam::EventDrivenCollisions<CloudType>::hitWall
 template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::info()
 {
-    FixedList<scalar, 5> step;
+    FixedList<scalar, 9> step;
     step[0] = report_.pairEvents;
     step[1] = report_.wallEvents;
     step[2] = report_.restitutionLoss;
     step[3] = report_.frictionLoss;
     step[4] = report_.overlappingInjection;
+    step[5] = report_.rankPairs;
+    step[6] = report_.handOvers;
+    step[7] = report_.held;
+    step[8] = report_.heldEnergy;
     forAll(step, i)
     {
         reduce(step[i], sumOp<scalar>());
@@ -748,6 +965,14 @@ void Foam::EventDrivenCollisions<CloudType>::info()
     Info<< "    Deepest overlap                 = " << overlap
         << "; in all " << deepest_ << nl;
     line("    Lost to restitution, friction   = ", 2);
+    if (totals_[7] > 0)
+    {
+        line("    Held parcels, their energy      = ", 7);
+    }
+    if (Pstream::parRun())
+    {
+        line("    Pairs, hand-overs between ranks = ", 5);
+    }
     if (totals_[4] > 0)
     {
         Info<< "    Injections upon others          = " << step[4]

@@ -970,6 +970,70 @@ TEST_F(eventDrivenCollisionsTest, aLayerComesToRestOnTheWall)
 }
 
 
+TEST_F(eventDrivenCollisionsTest, aPileInACornerComesToRest)
+{
+    // The number of collisions would have no bound
+    open("plane", 1e-6);
+    g_ = dimensionedVector("g", dimAcceleration, vector(-1e6, -1e6, 0));
+    const auto cloud = make
+    (
+        "solution{motion embeddedRK54;collisions{type eventDriven;"
+        "restitution 0.1;friction 0.2;}}"
+        "subModels{hardSphereWallCoeffs{patches (\"f.*\""
+        "{restitution 0.1;friction 0.2;});}}",
+        "gravity;"
+    );
+    for (int i = 0; i < 24; ++i)
+    {
+        add
+        (
+            *cloud,
+            vector(1e-5 + 1.1e-5*(i % 6), 1e-5 + 1.1e-5*(i/6), 5e-5),
+            vector::zero
+        );
+    }
+    scalar held = 0;
+    for (int i = 0; i < 40; ++i)
+    {
+        step(*cloud);
+        held += cloud->collisions()->lastStep().held;
+    }
+    ASSERT_EQ(cloud->size(), 24);
+    EXPECT_GT(held, 0);
+    EXPECT_LT(overlap(*cloud), 1e-5);
+    for (const parcel& p : *cloud)
+    {
+        // No more than what the force of two steps gives
+        EXPECT_LT(mag(p.U()), 3);
+    }
+}
+
+
+TEST_F(eventDrivenCollisionsTest, manyFreeCollisionsInAStepHoldNobody)
+{
+    // A large grain through 400 small ones: more than 200 events, but no rest
+    open("plane", 5e-6);
+    const auto cloud = make();
+    add(*cloud, vector(3e-4, 5e-4, 5e-5), vector(100, 0, 0));
+    for (int i = 0; i < 400; ++i)
+    {
+        add
+        (
+            *cloud,
+            vector(3.1e-4 + 2e-6*(i/20), 4.95e-4 + 5e-7*(i % 20), 5e-5),
+            vector(-20, 0, 0),
+            1e-7
+        );
+    }
+    const scalar E = energy(*cloud);
+    step(*cloud);
+    const auto& report = cloud->collisions()->lastStep();
+    EXPECT_GT(report.pairEvents, 300);
+    EXPECT_EQ(report.held, 0);
+    EXPECT_NEAR(energy(*cloud)/E, 1, 1e-12);
+}
+
+
 TEST_F(eventDrivenCollisionsTest, overlappingInjectionAsTheDictionarySays)
 {
     open("plane", 1e-6);

@@ -54,3 +54,30 @@ TEST(contactDuration, makesSlowContactsUnderLoadElastic)
         none.count(s, 0);
     }
 }
+
+
+TEST(contactDuration, saysWhatRestsOnWhat)
+{
+    const contactDuration rule(1e-3);
+
+    // More than eight slow contacts one after another, however far apart
+    recentContacts slow;
+    for (int i = 0; i < 9; ++i)
+    {
+        EXPECT_FALSE(rule.rests(slow, i));
+        rule.count(slow, i, rule.slow(0.0049, 9.81));
+    }
+    EXPECT_TRUE(rule.rests(slow, 9));
+    rule.count(slow, 9, rule.slow(0.005, 9.81));
+    EXPECT_FALSE(rule.rests(slow, 10));
+
+    // 24 of any speed in a window
+    recentContacts many;
+    for (int i = 0; i < 24; ++i)
+    {
+        EXPECT_FALSE(rule.rests(many, 1e-5*i));
+        rule.count(many, 1e-5*i);
+    }
+    EXPECT_TRUE(rule.rests(many, 24e-5));
+    EXPECT_FALSE(rule.rests(many, 1.1e-3));
+}
