@@ -46,6 +46,631 @@ vector3 response
     return S + cross(dOmega, r);
 }
 
+
+//- Highest order of the series of one step, and of those of the end of slip
+constexpr int stepOrder = 24;
+constexpr int endOrder = 32;
+
+//- Of whole numbers
+struct inverseNumbers
+{
+    double of[endOrder + 2] = {};
+
+    constexpr inverseNumbers()
+    {
+        for (int n = 1; n < endOrder + 2; ++n)
+        {
+            of[n] = 1./n;
+        }
+    }
+};
+
+constexpr inverseNumbers inverses;
+
+
+//- Sixteenth root: square roots round alike on every machine
+double root16(double x)
+{
+    return std::sqrt(std::sqrt(std::sqrt(std::sqrt(x))));
+}
+
+
+//- Value and derivative of a polynomial
+inline double polynomial(const double* c, double t, double& rate)
+{
+    double value = c[stepOrder];
+    rate = 0;
+    for (int n = stepOrder - 1; n >= 0; --n)
+    {
+        rate = value + t*rate;
+        value = c[n] + t*value;
+    }
+    return value;
+}
+
+
+inline double polynomial(const double* c, double t)
+{
+    double value = c[stepOrder];
+    for (int n = stepOrder - 1; n >= 0; --n)
+    {
+        value = c[n] + t*value;
+    }
+    return value;
+}
+
+
+//- Where a polynomial rises through zero between lo and hi
+double rising(const double* c, double lo, double hi)
+{
+    const double linear = c[1] > 0 ? -c[0]/c[1] : hi;
+    double t = linear > lo && linear < hi ? linear : 0.5*(lo + hi);
+    for (int i = 0; i < 60; ++i)
+    {
+        double rate;
+        const double e = polynomial(c, t, rate);
+        (e > 0 ? hi : lo) = t;
+        const double step = rate > 0 ? -e/rate : hi;
+
+        // An error left here comes back squared
+        if (std::fabs(step) <= 1e-8*hi)
+        {
+            return t + step;
+        }
+        const bool inside = t + step > lo && t + step < hi;
+        t = inside ? t + step : 0.5*(lo + hi);
+    }
+    return t;
+}
+
+
+//- Directions to bracket others between
+struct directionCircle
+{
+    static constexpr int parts = 64;
+    double c[parts + 1], s[parts + 1];
+
+    directionCircle()
+    {
+        for (int i = 0; i <= parts; ++i)
+        {
+            impact::sinCosTurns(double(i)/parts, s[i], c[i]);
+        }
+    }
+
+    static const directionCircle& all()
+    {
+        static const directionCircle circle;
+        return circle;
+    }
+};
+
+
+//- How far an impact with friction has come
+struct impactState
+{
+    double x, y, v;                 // velocities along tangents and normal
+    double S1 = 0, S2 = 0, p = 0;   // impulse so far
+    double rubbed = 0;              // integral of the squared slip by tau
+};
+
+
+//- One impact with friction, in units of the approaching contact point's
+//  speed, by components along two tangents and the normal. With p the normal
+//  impulse, t the velocity of slip, v that along the normal,
+//      dt/dp = f - mu k t/|t|,   dv/dp = a - mu f.t/|t|,   dW/dp = v
+//  become, by the measure dp = |t| dtau, equations without any singularity,
+//      t' = f |t| - mu k t,   v' = a |t| - mu f.t
+//  which are solved by Taylor series in tau. The impulse S does the work
+//  S.(V0 + V)/2, of which friction does -mu int |t|^2 dtau and the normal
+//  force the rest, W. Slip ends at tau = infinity; see slipEnds().
+struct frictionProcess
+:
+    impactState
+{
+    const double mu;
+    const double e2;                // restitution squared
+    const double k11, k12, k22;     // response along the tangents
+    const double f1, f2, a;         // and its parts along the normal
+
+    const double x0, y0, v0;        // velocities on arrival
+
+    double compression = 0;         // its value when the approach stopped
+    bool restituting = false;
+
+    frictionProcess
+    (
+        double mu,
+        double e2,
+        double k11,
+        double k12,
+        double k22,
+        double f1,
+        double f2,
+        double a,
+        double x,
+        double y,
+        double v
+    )
+    :
+        impactState{x, y, v},
+        mu(mu), e2(e2), k11(k11), k12(k12), k22(k22), f1(f1), f2(f2), a(a),
+        x0(x), y0(y), v0(v)
+    {}
+
+    //- Rates of ln|t|, the direction of slip being (c, s), and of its angle,
+    //  the derivative of the latter by the angle
+    void rates
+    (
+        double c,
+        double s,
+        double& growth,
+        double& turning,
+        double& change
+    ) const
+    {
+        const double v1 = f1 - mu*(k11*c + k12*s);
+        const double v2 = f2 - mu*(k12*c + k22*s);
+        growth = c*v1 + s*v2;
+        turning = c*v2 - s*v1;
+        change =
+            mu*((k11 - k22)*(c*c - s*s) + 4*k12*c*s) - f1*c - f2*s;
+    }
+
+    //- Follow a constant direction (d1, d2, 1) of the impulse to the end
+    void finish(double d1, double d2)
+    {
+        const double rate = a + f1*d1 + f2*d2;
+        double more = 0;
+        double rest = 0;            // work still to be given back
+        double from = v;
+        if (restituting)
+        {
+            rest = compression*(1 - e2) - normalWork(*this);
+        }
+        else
+        {
+            more = -v/rate;
+            rest = -e2*(normalWork(*this) + 0.5*v*more);
+            from = 0;
+        }
+        // v p + rate p^2/2 = rest
+        more +=
+            (std::sqrt(std::max(0., from*from + 2*rate*rest)) - from)/rate;
+        S1 += more*d1;
+        S2 += more*d2;
+        p += more;
+    }
+
+    //- The rest of an impact whose contact does not slide at the moment
+    void finishFromRest()
+    {
+        // It stays at rest if the cone holds the T of f + k T = 0
+        const double det = k11*k22 - k12*k12;
+        const double T1 = (k12*f2 - k22*f1)/det;
+        const double T2 = (k12*f1 - k11*f2)/det;
+        if (T1*T1 + T2*T2 <= mu*mu)
+        {
+            finish(T1, T2);
+            return;
+        }
+        // Else it slides off in a direction that it keeps: of those that do
+        // not turn, the one of fastest growth
+        const directionCircle& around = directionCircle::all();
+        double bestC = 1, bestS = 0, fastest = -1;
+        double growth, change, last;
+        rates(around.c[0], around.s[0], growth, last, change);
+        for (int i = 0; i < directionCircle::parts; ++i)
+        {
+            const double c0 = around.c[i], s0 = around.s[i];
+            double turning;
+            rates
+            (
+                around.c[i + 1], around.s[i + 1], growth, turning, change
+            );
+            if ((last > 0) != (turning > 0))
+            {
+                double lo = 0, hi = 6.283185307179586/directionCircle::parts;
+                double angle = hi*last/(last - turning), c = c0, s = s0;
+                for (int k = 0; k < 60; ++k)
+                {
+                    double sine, cosine, here;
+                    impact::sinCos(angle, sine, cosine);
+                    c = c0*cosine - s0*sine;
+                    s = s0*cosine + c0*sine;
+                    rates(c, s, growth, here, change);
+                    ((here > 0) == (last > 0) ? lo : hi) = angle;
+                    double next = change != 0 ? angle - here/change : hi;
+                    if (!(next > lo && next < hi))
+                    {
+                        next = 0.5*(lo + hi);
+                    }
+                    if (std::fabs(next - angle) <= 1e-16)
+                    {
+                        break;
+                    }
+                    angle = next;
+                }
+                if (growth > fastest)
+                {
+                    fastest = growth;
+                    bestC = c;
+                    bestS = s;
+                }
+            }
+            last = turning;
+        }
+        finish(-mu*bestC, -mu*bestS);
+    }
+
+    //- On to the end of slip, if it comes before that of compression or
+    //  restitution, and is near enough
+    bool slipEnds(double slip)
+    {
+        // The direction that slip tends to is where it would no longer turn,
+        // by Newton's method; d is the angle from there to the present one
+        double c = x/slip, s = y/slip, d = 0;
+        double R0, turning, change;
+        rates(c, s, R0, turning, change);
+        const double now = a - mu*(f1*c + f2*s);
+        if (!(R0 < 0))
+        {
+            return false;
+        }
+        const bool straight =
+            std::fabs(turning) <= -1e-14*R0 && change <= -1e-9*R0;
+        for (int i = 0; !straight && i < 8; ++i)
+        {
+            if (!(change < 0) || std::fabs(turning) > -change)
+            {
+                return false;
+            }
+            const double step = -turning/change;
+            double sine, cosine;
+            impact::sinCos(step, sine, cosine);
+            const double c0 = c;
+            c = c*cosine - s*sine;
+            s = s*cosine + c0*sine;
+            d -= step;
+            rates(c, s, R0, turning, change);
+            if (std::fabs(step) <= 1e-9)
+            {
+                break;
+            }
+        }
+        if (!(R0 < 0) || std::fabs(d) > 1)
+        {
+            return false;
+        }
+        // As functions of the angle from there, (p_end - p)/|t| = P and
+        // int |t|^2 dtau/|t|^2 = Z satisfy, with R the growth and T the
+        // turning,
+        //     P' T + P R = -1,   Z' T + 2 Z R = -1
+        // and are analytic where T = 0: their power series, times d^k
+        const double fR = f1*c + f2*s;
+        const double fT = f2*c - f1*s;
+        const double mean = 0.5*(k11 + k22);
+        const double kRT = k12*(c*c - s*s) + (k22 - k11)*c*s;
+        const double half = 0.5*(k11 - k22)*(c*c - s*s) + 2*k12*c*s;
+        const double T1 = straight ? 0 : change;
+        double R[endOrder + 1], T[endOrder + 1];
+        double P[endOrder + 1], Z[endOrder + 1];
+        R[0] = fR - mu*(mean + half);
+        P[0] = -1/R[0];
+        Z[0] = 0.5*P[0];
+        double sumP = P[0], sumZ = Z[0];
+        double one = 1, two = 1;    // d^k/k!, (2d)^k/k!
+        int small = d == 0 ? 2 : 0;
+        for (int k = 1; k <= endOrder && small < 2; ++k)
+        {
+            // Coefficients of the cosine and the sine of d and of 2d; T[k]
+            // is that of d^(k+1), times d^k
+            one *= d*inverses.of[k];
+            two *= 2*d*inverses.of[k];
+            const double sign = k & 2 ? -1. : 1.;
+            const double one1 = one*inverses.of[k + 1];
+            const double two1 = 2*two*inverses.of[k + 1];
+            if (k & 1)
+            {
+                R[k] = sign*(fT*one - mu*kRT*two);
+                T[k] = -sign*(fT*one1 - mu*kRT*two1);
+            }
+            else
+            {
+                R[k] = sign*(fR*one - mu*half*two);
+                T[k] = -sign*(fR*one1 - mu*half*two1);
+            }
+            double sum = 0, sum2 = 0;
+            for (int j = 1; j <= k; ++j)
+            {
+                const double turns = (k - j)*T[j];
+                sum += (R[j] + turns)*P[k - j];
+                sum2 += (2*R[j] + turns)*Z[k - j];
+            }
+            P[k] = -sum/(k*T1 + R[0]);
+            Z[k] = -sum2/(k*T1 + 2*R[0]);
+            sumP += P[k];
+            sumZ += Z[k];
+            const bool gone =
+                std::fabs(P[k]) + std::fabs(Z[k]) < 1e-16*P[0];
+            small = gone ? small + 1 : 0;
+        }
+
+        // On the way the velocity along the normal is monotonic
+        const bool steady = now*(a - mu*fR) > 0;
+        if (small < 2 || !steady)
+        {
+            return false;
+        }
+
+        // t + f dp + k dS = 0
+        impactState end = *this;
+        const double more = slip*sumP;
+        const double det = k11*k22 - k12*k12;
+        const double b1 = -x - f1*more, b2 = -y - f2*more;
+        const double dS1 = (k22*b1 - k12*b2)/det;
+        const double dS2 = (k11*b2 - k12*b1)/det;
+        end.S1 += dS1;
+        end.S2 += dS2;
+        end.p += more;
+        end.rubbed += slip*slip*sumZ;
+        end.v += a*more + f1*dS1 + f2*dS2;
+        end.x = end.y = 0;
+        if
+        (
+            restituting
+          ? !(end.v > 0) || normalWork(end) >= compression*(1 - e2)
+          : !(end.v < 0)
+        )
+        {
+            return false;
+        }
+        move(end);
+        return true;
+    }
+
+    //- Work of the normal force up to a state
+    double normalWork(const impactState& q) const
+    {
+        return
+            0.5*(q.S1*(x0 + q.x) + q.S2*(y0 + q.y) + q.p*(v0 + q.v))
+          + mu*q.rubbed;
+    }
+
+    //- The series from here on: slip along the tangents, its magnitude, the
+    //  square of that, velocity along the normal
+    struct series
+    {
+        //- Two at once
+        typedef double pair __attribute__((vector_size(2*sizeof(double))));
+
+        pair t[stepOrder + 1];
+        double slip[stepOrder + 1], square[stepOrder + 1], v[stepOrder + 1];
+    };
+
+    //- What its recurrence takes: the rate of |t| is grow |t| + gx x + gy y
+    //  to first order
+    struct recurrence
+    {
+        series::pair f, column1, column2;
+        double grow, gx, gy, inverse;
+    };
+
+    //- Terms m and up. What comes of the term before last enters last: the
+    //  sums do not wait for it
+    template<int m>
+    impactInline void addTerms(const recurrence& q, series& c) const
+    {
+        constexpr int n = m - 1;
+        constexpr double unit = 1./m;
+        const double X = c.t[n][0], Y = c.t[n][1], s = c.slip[n];
+        c.t[m] = (unit*q.f)*s + ((unit*q.column1)*X + (unit*q.column2)*Y);
+        c.v[m] = unit*(a*s - mu*(f1*X + f2*Y));
+
+        // Sums of products, of two equal ones once
+        series::pair tt = {0, 0};
+        double ss = 0;
+        if (m % 2 == 0 && m > 2)
+        {
+            tt = 0.5*(c.t[m/2]*c.t[m/2]);
+            ss = 0.5*(c.slip[m/2]*c.slip[m/2]);
+        }
+        #pragma GCC unroll 12
+        for (int k = (m - 1)/2; k > 1; --k)
+        {
+            tt += c.t[k]*c.t[m - k];
+            ss += c.slip[k]*c.slip[m - k];
+        }
+        constexpr double once = m == 2 ? 0.5 : 1;
+        const double first = once*q.inverse;
+        const double along = tt[0] + tt[1];
+        c.slip[m] =
+            q.inverse*(along - ss)
+          + (
+                (unit*q.grow - first*c.slip[1])*s
+              + (
+                    (unit*q.gx + first*c.t[1][0])*X
+                  + (unit*q.gy + first*c.t[1][1])*Y
+                )
+            );
+        const series::pair ends = c.t[0]*c.t[m] + once*(c.t[1]*c.t[n]);
+        c.square[m] = 2*(along + (ends[0] + ends[1]));
+        if constexpr (m < stepOrder)
+        {
+            addTerms<m + 1>(q, c);
+        }
+    }
+
+    void expand(double slip, series& c) const
+    {
+        recurrence q;
+        q.f = series::pair{f1, f2};
+        q.column1 = series::pair{-mu*k11, -mu*k12};
+        q.column2 = series::pair{-mu*k12, -mu*k22};
+        q.inverse = 1/slip;
+        q.grow = q.inverse*(x*f1 + y*f2);
+        q.gx = -mu*q.inverse*(x*k11 + y*k12);
+        q.gy = -mu*q.inverse*(x*k12 + y*k22);
+        c.t[0] = series::pair{x, y};
+        c.slip[0] = slip;
+        c.square[0] = slip*slip;
+        c.v[0] = v;
+        c.t[1] = q.f*slip + (q.column1*x + q.column2*y);
+        c.slip[1] = q.grow*slip + (q.gx*x + q.gy*y);
+        c.square[1] = 2*(x*c.t[1][0] + y*c.t[1][1]);
+        c.v[1] = a*slip - mu*(f1*x + f2*y);
+        addTerms<2>(q, c);
+    }
+
+    //- How far the series goes: its last two terms are below 1e-13 of the
+    //  slip. A fraction of the radius of convergence is tried first
+    static double range(const series& c)
+    {
+        const double unit = 0.5/c.slip[0];
+        auto size = [&](int n)
+        {
+            return 1e-200 + unit
+               *(
+                    std::fabs(c.t[n][0]) + std::fabs(c.t[n][1])
+                  + std::fabs(c.slip[n]) + std::fabs(c.v[n])
+                );
+        };
+        const double last = size(stepOrder), before = size(stepOrder - 1);
+        double h = 0.4*root16(1/size(16));
+        for (;;)
+        {
+            const double h2 = h*h, h4 = h2*h2, h8 = h4*h4;
+            if (!(h8*h8*h4*h2*h*std::max(before, h*last) > 1e-13))
+            {
+                return h;
+            }
+            h *= 0.85;
+        }
+    }
+
+    //- The state after a further tau
+    impactState after(double tau, const series& c) const
+    {
+        typedef series::pair pair;
+        impactState q = *this;
+        pair t = c.t[stepOrder], sumT = {0, 0};
+        pair sums = {0, 0};
+        double velocity = c.v[stepOrder];
+        for (int n = stepOrder; n >= 0; --n)
+        {
+            const double unit = tau*inverses.of[n + 1];
+            sumT = unit*c.t[n] + tau*sumT;
+            sums = unit*pair{c.slip[n], c.square[n]} + tau*sums;
+            if (n < stepOrder)
+            {
+                t = c.t[n] + tau*t;
+                velocity = c.v[n] + tau*velocity;
+            }
+        }
+        q.S1 -= mu*sumT[0];
+        q.S2 -= mu*sumT[1];
+        q.p += sums[0];
+        q.rubbed += sums[1];
+        q.x = t[0];
+        q.y = t[1];
+        q.v = velocity;
+        return q;
+    }
+
+    void move(const impactState& q)
+    {
+        static_cast<impactState&>(*this) = q;
+    }
+
+    //- The whole impact
+    void run()
+    {
+        if (mu == 0)
+        {
+            finish(0, 0);
+            return;
+        }
+        series c;
+        for (int step = 0; step < 10000; ++step)
+        {
+            const double slip = std::sqrt(x*x + y*y);
+            if (slip <= 1e-12 || slipEnds(slip))
+            {
+                finishFromRest();
+                return;
+            }
+            expand(slip, c);
+            double h = range(c);
+
+            // The velocity along the normal passes zero at most once while
+            // slip turns so little, or comes back once
+            double w[stepOrder + 1], rate1;
+            const double direction = restituting ? -1 : 1;
+            for (int n = 0; n <= stepOrder; ++n)
+            {
+                w[n] = direction*c.v[n];
+            }
+            bool turns = polynomial(w, h, rate1) > 0;
+            if (!turns && w[1] > 0 && rate1 < 0)
+            {
+                double fall[stepOrder + 1];
+                for (int n = 0; n < stepOrder; ++n)
+                {
+                    fall[n] = -(n + 1)*w[n + 1];
+                }
+                fall[stepOrder] = 0;
+                const double top = rising(fall, 0, h);
+                turns = polynomial(w, top) > 0;
+                h = turns ? top : h;
+            }
+            h = turns ? rising(w, 0, h) : h;
+            impactState next = after(h, c);
+            double done = normalWork(next);
+
+            // Work is given back as long as the velocity is positive
+            const double all = compression*(1 - e2);
+            if (restituting && done >= all)
+            {
+                // Nearly a parabola if the velocity has just passed zero
+                const double start = normalWork(*this);
+                double lo = 0, hi = h;
+                h *= std::sqrt((all - start)/(done - start));
+                next = after(h, c);
+                done = normalWork(next);
+                for (int i = 0; i < 60; ++i)
+                {
+                    (done >= all ? hi : lo) = h;
+                    const double rate =
+                        next.v*std::sqrt(next.x*next.x + next.y*next.y);
+                    const double step = rate > 0 ? (all - done)/rate : h;
+                    const bool near = std::fabs(step) <= 1e-8*h;
+                    const bool inside = h + step > lo && h + step < hi;
+                    h = near || inside ? h + step : 0.5*(lo + hi);
+                    next = after(h, c);
+                    if (near)
+                    {
+                        break;
+                    }
+                    done = normalWork(next);
+                }
+                move(next);
+                return;
+            }
+            move(next);
+            if (turns)
+            {
+                v = 0;
+                if (e2 == 0)
+                {
+                    return;
+                }
+                compression = restituting ? compression : done;
+                restituting = !restituting;
+            }
+        }
+    }
+};
+
 } // End anonymous namespace
 
 
@@ -96,185 +721,25 @@ impact::vector3 impact::reboundLaw::frictionImpulse
     const vector3& Vc0
 ) const
 {
-    // The normal impulse p is the independent variable:
-    //     dVc/dp = K (n - mu s),  dW/dp = n.Vc,  s = sliding direction
-    const double mu = friction_;
-    const double e2 = normal_*normal_;
-    auto K = [&](const vector3& S) { return response(inertia, r, S); };
-    auto tangent = [&](const vector3& v) { return v - dot(v, n)*n; };
-
+    vector3 t1 = std::fabs(n.x) < 0.6
+        ? cross(n, vector3{1, 0, 0}) : cross(n, vector3{0, 1, 0});
+    t1 = (1/mag(t1))*t1;
+    const vector3 t2 = cross(n, t1);
+    const vector3 K1 = response(inertia, r, t1);
+    const vector3 K2 = response(inertia, r, t2);
+    const vector3 Kn = response(inertia, r, n);
     const double speed0 = mag(Vc0);
-    const vector3 Kn = K(n);
-    vector3 Vc = Vc0;
-    vector3 S = {0, 0, 0};
-    double work = 0;            // of the normal force so far
-    double compression = 0;     // its value when the approach stopped
-    bool restituting = false;
-
-    // Follow a constant direction of the impulse to the end of the impact
-    auto finish = [&](const vector3& direction)
-    {
-        const double a = dot(K(direction), n);
-        double v = dot(Vc, n);
-        double rest = 0;        // work still to be given back
-        if (restituting)
-        {
-            rest = compression*(1 - e2) - work;
-        }
-        else
-        {
-            const double p = -v/a;
-            S = S + p*direction;
-            rest = -e2*(work + 0.5*v*p);
-            v = 0;
-        }
-        // v p + a p^2/2 = rest
-        S = S
-          + ((std::sqrt(std::max(0., v*v + 2*a*rest)) - v)/a)*direction;
-        return S;
-    };
-    if (mu == 0)
-    {
-        return finish(n);
-    }
-
-    // Direction of the impulse, per unit of its normal part, of a contact
-    // that does not slide at the moment
-    auto restDirection = [&]
-    {
-        vector3 t1 = std::fabs(n.x) < 0.6
-            ? cross(n, vector3{1, 0, 0}) : cross(n, vector3{0, 1, 0});
-        t1 = (1/mag(t1))*t1;
-        const vector3 t2 = cross(n, t1);
-
-        // It stays at rest if the cone holds the T of tangent(K(n + T)) = 0
-        const vector3 K1 = K(t1), K2 = K(t2);
-        const double k11 = dot(t1, K1), k12 = dot(t1, K2), k22 = dot(t2, K2);
-        const double f1 = dot(t1, Kn), f2 = dot(t2, Kn);
-        const double det = k11*k22 - k12*k12;
-        const double T1 = (k12*f2 - k22*f1)/det;
-        const double T2 = (k12*f1 - k11*f2)/det;
-        if (T1*T1 + T2*T2 <= mu*mu)
-        {
-            return n + T1*t1 + T2*t2;
-        }
-        // Else it slides off in the direction s that it keeps:
-        // tangent(K(n - mu s)) parallel to s, the root of fastest growth
-        auto turning = [&](double angle, double& growth)
-        {
-            double s, c;
-            sinCos(angle, s, c);
-            const double v1 = f1 - mu*(k11*c + k12*s);
-            const double v2 = f2 - mu*(k12*c + k22*s);
-            growth = c*v1 + s*v2;
-            return c*v2 - s*v1;
-        };
-        const double pi = 3.141592653589793;
-        const int parts = 64;
-        double best = 0, fastest = -1, growth;
-        double last = turning(0, growth);
-        for (int i = 0; i < parts; ++i)
-        {
-            double lo = 2*pi*i/parts, hi = 2*pi*(i + 1)/parts;
-            const double value = turning(hi, growth);
-            if ((last > 0) != (value > 0))
-            {
-                for (int k = 0; k < 52; ++k)
-                {
-                    const double mid = 0.5*(lo + hi);
-                    ((turning(mid, growth) > 0) == (last > 0) ? lo : hi)
-                        = mid;
-                }
-                turning(lo, growth);
-                if (growth > fastest)
-                {
-                    fastest = growth;
-                    best = lo;
-                }
-            }
-            last = value;
-        }
-        double s, c;
-        sinCos(best, s, c);
-        return n - mu*(c*t1 + s*t2);
-    };
-
-    auto direction = [&](const vector3& v)
-    {
-        const vector3 t = tangent(v);
-        const double m = mag(t);
-        return m > 0 ? n - (mu/m)*t : n;
-    };
-
-    // Sliding: Runge-Kutta of fourth order in p
-    const double unit = speed0/dot(Kn, n);
-    for (int step = 0; step < 100000; ++step)
-    {
-        const vector3 t = tangent(Vc);
-        const double slip = mag(t);
-        if (slip <= 1e-10*speed0)
-        {
-            return finish(restDirection());
-        }
-        const vector3 d1 = direction(Vc);
-        const vector3 change = tangent(K(d1));
-        const vector3 along = (dot(change, t)/(slip*slip))*t;
-
-        // A step turns the slip by 0.02 at most, and does not reverse it
-        double p = 0.02*unit;
-        p = std::min(p, 0.3*slip/(mag(along) + 1e-300));
-        p = std::min(p, 0.02*slip/(mag(change - along) + 1e-300));
-
-        vector3 dS, next;
-        double dWork = 0;
-        auto advance = [&](double h)
-        {
-            const vector3 d2 = direction(Vc + (0.5*h)*K(d1));
-            const vector3 middle = Vc + (0.5*h)*K(d2);
-            const vector3 d3 = direction(middle);
-            const vector3 d4 = direction(Vc + h*K(d3));
-            dS = (h/6)*(d1 + 2*d2 + 2*d3 + d4);
-            next = Vc + K(dS);
-            dWork = (h/6)*(dot(Vc, n) + 4*dot(middle, n) + dot(next, n));
-        };
-        // Does compression, or restitution, end within the step?
-        auto past = [&]
-        {
-            return restituting
-              ? work + dWork >= compression*(1 - e2)
-              : dot(next, n) >= 0;
-        };
-        advance(p);
-        const bool ends = past();
-        if (ends)
-        {
-            double lo = 0, hi = p;
-            for (int k = 0; k < 54; ++k)
-            {
-                const double mid = 0.5*(lo + hi);
-                advance(mid);
-                (past() ? hi : lo) = mid;
-            }
-            advance(hi);
-        }
-        S = S + dS;
-        work += dWork;
-        Vc = next;
-        if (ends && (restituting || normal_ == 0))
-        {
-            return S;
-        }
-        if (ends)
-        {
-            restituting = true;
-            compression = work;
-        }
-        else if (restituting && dot(Vc, n) < 0)
-        {
-            restituting = false;    // pressed on again while it slides
-        }
-    }
-    return S;
+    frictionProcess process
+    (
+        friction_, normal_*normal_,
+        dot(t1, K1), dot(t1, K2), dot(t2, K2),
+        dot(t1, Kn), dot(t2, Kn), dot(n, Kn),
+        dot(t1, Vc0)/speed0, dot(t2, Vc0)/speed0, dot(n, Vc0)/speed0
+    );
+    process.run();
+    return
+        (speed0*process.S1)*t1 + (speed0*process.S2)*t2
+      + (speed0*process.p)*n;
 }
 
 
