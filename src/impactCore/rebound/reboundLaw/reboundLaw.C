@@ -4,6 +4,7 @@
 
 #include "reboundLaw.H"
 #include "elementary.H"
+#include "frictionKernels.H"
 
 #include <algorithm>
 #include <sstream>
@@ -12,6 +13,8 @@
 namespace
 {
 
+using impact::frictionOrder;
+using impact::frictionSeries;
 using impact::vector3;
 
 void checkRange
@@ -47,8 +50,7 @@ vector3 response
 }
 
 
-//- Highest order of the series of one step, and of those of the end of slip
-constexpr int stepOrder = 24;
+//- Highest order of the series of the end of slip
 constexpr int endOrder = 32;
 
 //- Of whole numbers
@@ -78,22 +80,11 @@ double root16(double x)
 //- Value and derivative of a polynomial
 inline double polynomial(const double* c, double t, double& rate)
 {
-    double value = c[stepOrder];
+    double value = c[frictionOrder];
     rate = 0;
-    for (int n = stepOrder - 1; n >= 0; --n)
+    for (int n = frictionOrder - 1; n >= 0; --n)
     {
         rate = value + t*rate;
-        value = c[n] + t*value;
-    }
-    return value;
-}
-
-
-inline double polynomial(const double* c, double t)
-{
-    double value = c[stepOrder];
-    for (int n = stepOrder - 1; n >= 0; --n)
-    {
         value = c[n] + t*value;
     }
     return value;
@@ -150,6 +141,7 @@ struct directionCircle
 struct impactState
 {
     double x, y, v;                 // velocities along tangents and normal
+    double slip;                    // magnitude of the former
     double S1 = 0, S2 = 0, p = 0;   // impulse so far
     double rubbed = 0;              // integral of the squared slip by tau
 };
@@ -193,7 +185,7 @@ struct frictionProcess
         double v
     )
     :
-        impactState{x, y, v},
+        impactState{x, y, v, std::sqrt(x*x + y*y)},
         mu(mu), e2(e2), k11(k11), k12(k12), k22(k22), f1(f1), f2(f2), a(a),
         x0(x), y0(y), v0(v)
     {}
@@ -305,7 +297,7 @@ struct frictionProcess
 
     //- On to the end of slip, if it comes before that of compression or
     //  restitution, and is near enough
-    bool slipEnds(double slip)
+    bool slipEnds()
     {
         // The direction that slip tends to is where it would no longer turn,
         // by Newton's method; d is the angle from there to the present one
@@ -392,8 +384,12 @@ struct frictionProcess
             sumP += P[k];
             sumZ += Z[k];
             const bool gone =
-                std::fabs(P[k]) + std::fabs(Z[k]) < 1e-16*P[0];
+                std::fabs(P[k]) + std::fabs(Z[k]) < 1e-15*P[0];
             small = gone ? small + 1 : 0;
+            if (k == 8 && std::fabs(P[7]) + std::fabs(P[8]) > 1e-3*P[0])
+            {
+                return false;
+            }
         }
 
         // On the way the velocity along the normal is monotonic
@@ -415,7 +411,7 @@ struct frictionProcess
         end.p += more;
         end.rubbed += slip*slip*sumZ;
         end.v += a*more + f1*dS1 + f2*dS2;
-        end.x = end.y = 0;
+        end.x = end.y = end.slip = 0;
         if
         (
             restituting
@@ -437,110 +433,41 @@ struct frictionProcess
           + mu*q.rubbed;
     }
 
-    //- The series from here on: slip along the tangents, its magnitude, the
-    //  square of that, velocity along the normal
-    struct series
+    //- The series from here on
+    void expand(frictionSeries& c) const
     {
-        //- Two at once
-        typedef double pair __attribute__((vector_size(2*sizeof(double))));
-
-        pair t[stepOrder + 1];
-        double slip[stepOrder + 1], square[stepOrder + 1], v[stepOrder + 1];
-    };
-
-    //- What its recurrence takes: the rate of |t| is grow |t| + gx x + gy y
-    //  to first order
-    struct recurrence
-    {
-        series::pair f, column1, column2;
-        double grow, gx, gy, inverse;
-    };
-
-    //- Terms m and up. What comes of the term before last enters last: the
-    //  sums do not wait for it
-    template<int m>
-    impactInline void addTerms(const recurrence& q, series& c) const
-    {
-        constexpr int n = m - 1;
-        constexpr double unit = 1./m;
-        const double X = c.t[n][0], Y = c.t[n][1], s = c.slip[n];
-        c.t[m] = (unit*q.f)*s + ((unit*q.column1)*X + (unit*q.column2)*Y);
-        c.v[m] = unit*(a*s - mu*(f1*X + f2*Y));
-
-        // Sums of products, of two equal ones once
-        series::pair tt = {0, 0};
-        double ss = 0;
-        if (m % 2 == 0 && m > 2)
-        {
-            tt = 0.5*(c.t[m/2]*c.t[m/2]);
-            ss = 0.5*(c.slip[m/2]*c.slip[m/2]);
-        }
-        #pragma GCC unroll 12
-        for (int k = (m - 1)/2; k > 1; --k)
-        {
-            tt += c.t[k]*c.t[m - k];
-            ss += c.slip[k]*c.slip[m - k];
-        }
-        constexpr double once = m == 2 ? 0.5 : 1;
-        const double first = once*q.inverse;
-        const double along = tt[0] + tt[1];
-        c.slip[m] =
-            q.inverse*(along - ss)
-          + (
-                (unit*q.grow - first*c.slip[1])*s
-              + (
-                    (unit*q.gx + first*c.t[1][0])*X
-                  + (unit*q.gy + first*c.t[1][1])*Y
-                )
-            );
-        const series::pair ends = c.t[0]*c.t[m] + once*(c.t[1]*c.t[n]);
-        c.square[m] = 2*(along + (ends[0] + ends[1]));
-        if constexpr (m < stepOrder)
-        {
-            addTerms<m + 1>(q, c);
-        }
+        const double k[3] = {k11, k12, k22};
+        const double f[3] = {f1, f2, a};
+        c.z[0][0] = x;
+        c.z[0][1] = y;
+        c.z[0][2] = slip;
+        c.z[0][3] = v;
+        expandFriction(mu, k, f, c);
     }
 
-    void expand(double slip, series& c) const
-    {
-        recurrence q;
-        q.f = series::pair{f1, f2};
-        q.column1 = series::pair{-mu*k11, -mu*k12};
-        q.column2 = series::pair{-mu*k12, -mu*k22};
-        q.inverse = 1/slip;
-        q.grow = q.inverse*(x*f1 + y*f2);
-        q.gx = -mu*q.inverse*(x*k11 + y*k12);
-        q.gy = -mu*q.inverse*(x*k12 + y*k22);
-        c.t[0] = series::pair{x, y};
-        c.slip[0] = slip;
-        c.square[0] = slip*slip;
-        c.v[0] = v;
-        c.t[1] = q.f*slip + (q.column1*x + q.column2*y);
-        c.slip[1] = q.grow*slip + (q.gx*x + q.gy*y);
-        c.square[1] = 2*(x*c.t[1][0] + y*c.t[1][1]);
-        c.v[1] = a*slip - mu*(f1*x + f2*y);
-        addTerms<2>(q, c);
-    }
-
-    //- How far the series goes: its last two terms are below 1e-13 of the
+    //- How far the series goes: its last two terms are below 1e-12 of the
     //  slip. A fraction of the radius of convergence is tried first
-    static double range(const series& c)
+    static double range(const frictionSeries& c)
     {
-        const double unit = 0.5/c.slip[0];
+        const double inverse = 1/c.z[0][2];
+        const double unit = 0.5*inverse;
         auto size = [&](int n)
         {
+            const double* z = c.z[n];
             return 1e-200 + unit
                *(
-                    std::fabs(c.t[n][0]) + std::fabs(c.t[n][1])
-                  + std::fabs(c.slip[n]) + std::fabs(c.v[n])
+                    (std::fabs(z[0]) + std::fabs(z[1]))
+                  + (std::fabs(z[2]) + std::fabs(z[3]))
+                  + std::fabs(c.square[n])*inverse
                 );
         };
-        const double last = size(stepOrder), before = size(stepOrder - 1);
+        const double last = size(frictionOrder);
+        const double before = size(frictionOrder - 1);
         double h = 0.4*root16(1/size(16));
         for (;;)
         {
             const double h2 = h*h, h4 = h2*h2, h8 = h4*h4;
-            if (!(h8*h8*h4*h2*h*std::max(before, h*last) > 1e-13))
+            if (!((h8*h8)*(h4*h2*h)*std::max(before, h*last) > 1e-12))
             {
                 return h;
             }
@@ -548,38 +475,123 @@ struct frictionProcess
         }
     }
 
-    //- The state after a further tau
-    impactState after(double tau, const series& c) const
+    //- The state at tau of a series
+    impactState after
+    (
+        const impactState& origin,
+        double tau,
+        const frictionSeries& c
+    ) const
     {
-        typedef series::pair pair;
-        impactState q = *this;
-        pair t = c.t[stepOrder], sumT = {0, 0};
-        pair sums = {0, 0};
-        double velocity = c.v[stepOrder];
-        for (int n = stepOrder; n >= 0; --n)
-        {
-            const double unit = tau*inverses.of[n + 1];
-            sumT = unit*c.t[n] + tau*sumT;
-            sums = unit*pair{c.slip[n], c.square[n]} + tau*sums;
-            if (n < stepOrder)
-            {
-                t = c.t[n] + tau*t;
-                velocity = c.v[n] + tau*velocity;
-            }
-        }
-        q.S1 -= mu*sumT[0];
-        q.S2 -= mu*sumT[1];
-        q.p += sums[0];
-        q.rubbed += sums[1];
-        q.x = t[0];
-        q.y = t[1];
-        q.v = velocity;
+        double sums[8];
+        sumFriction(tau, c, sums);
+        impactState q = origin;
+        q.x = sums[0];
+        q.y = sums[1];
+        q.slip = std::sqrt(q.x*q.x + q.y*q.y);
+        q.v = sums[3];
+        q.S1 -= mu*sums[4];
+        q.S2 -= mu*sums[5];
+        q.p += sums[6];
+        q.rubbed += sums[7];
         return q;
+    }
+
+    //- Of the velocity along the normal by tau
+    double normalRate(const impactState& q) const
+    {
+        return a*q.slip - mu*(f1*q.x + f2*q.y);
     }
 
     void move(const impactState& q)
     {
         static_cast<impactState&>(*this) = q;
+    }
+
+    //- Follow the series from tau = 0 up to its range; true at the end of
+    //  the impact
+    bool follow(const frictionSeries& c, double range)
+    {
+        const impactState origin = *this;
+        double from = 0;
+        for (;;)
+        {
+            // The velocity along the normal passes zero at most once while
+            // slip turns so little, or comes back once
+            double h = range;
+            impactState next = after(origin, h, c);
+            const double direction = restituting ? -1 : 1;
+            const double rate0 = direction*normalRate(*this);
+            const double rate1 = direction*normalRate(next);
+            bool turns = direction*next.v > 0;
+            if (turns || (rate0 > 0 && rate1 < 0))
+            {
+                double w[frictionOrder + 1], fall[frictionOrder + 1];
+                for (int n = 0; n <= frictionOrder; ++n)
+                {
+                    w[n] = direction*c.z[n][3];
+                }
+                if (!turns)
+                {
+                    for (int n = 0; n < frictionOrder; ++n)
+                    {
+                        fall[n] = -(n + 1)*w[n + 1];
+                    }
+                    fall[frictionOrder] = 0;
+                    const double top = rising(fall, from, h);
+                    turns = direction*after(origin, top, c).v > 0;
+                    h = turns ? top : h;
+                }
+                if (turns)
+                {
+                    h = rising(w, from, h);
+                    next = after(origin, h, c);
+                }
+            }
+            double done = normalWork(next);
+
+            // Work is given back as long as the velocity is positive
+            const double all = compression*(1 - e2);
+            if (restituting && done >= all)
+            {
+                // Nearly a parabola if the velocity has just passed zero
+                const double start = normalWork(*this);
+                double lo = from, hi = h;
+                h = from + (h - from)*std::sqrt((all - start)/(done - start));
+                next = after(origin, h, c);
+                done = normalWork(next);
+                for (int i = 0; i < 60; ++i)
+                {
+                    (done >= all ? hi : lo) = h;
+                    const double rate = next.v*next.slip;
+                    const double step = rate > 0 ? (all - done)/rate : h;
+                    const bool near = std::fabs(step) <= 1e-8*h;
+                    const bool inside = h + step > lo && h + step < hi;
+                    h = near || inside ? h + step : 0.5*(lo + hi);
+                    next = after(origin, h, c);
+                    if (near)
+                    {
+                        break;
+                    }
+                    done = normalWork(next);
+                }
+                move(next);
+                return true;
+            }
+            move(next);
+            if (!turns)
+            {
+                return false;
+            }
+            v = 0;
+            if (e2 == 0)
+            {
+                return true;
+            }
+            compression = restituting ? compression : done;
+            restituting = !restituting;
+            from = h;
+        }
     }
 
     //- The whole impact
@@ -590,82 +602,18 @@ struct frictionProcess
             finish(0, 0);
             return;
         }
-        series c;
+        frictionSeries c;
         for (int step = 0; step < 10000; ++step)
         {
-            const double slip = std::sqrt(x*x + y*y);
-            if (slip <= 1e-12 || slipEnds(slip))
+            if (slip <= 1e-12 || slipEnds())
             {
                 finishFromRest();
                 return;
             }
-            expand(slip, c);
-            double h = range(c);
-
-            // The velocity along the normal passes zero at most once while
-            // slip turns so little, or comes back once
-            double w[stepOrder + 1], rate1;
-            const double direction = restituting ? -1 : 1;
-            for (int n = 0; n <= stepOrder; ++n)
+            expand(c);
+            if (follow(c, range(c)))
             {
-                w[n] = direction*c.v[n];
-            }
-            bool turns = polynomial(w, h, rate1) > 0;
-            if (!turns && w[1] > 0 && rate1 < 0)
-            {
-                double fall[stepOrder + 1];
-                for (int n = 0; n < stepOrder; ++n)
-                {
-                    fall[n] = -(n + 1)*w[n + 1];
-                }
-                fall[stepOrder] = 0;
-                const double top = rising(fall, 0, h);
-                turns = polynomial(w, top) > 0;
-                h = turns ? top : h;
-            }
-            h = turns ? rising(w, 0, h) : h;
-            impactState next = after(h, c);
-            double done = normalWork(next);
-
-            // Work is given back as long as the velocity is positive
-            const double all = compression*(1 - e2);
-            if (restituting && done >= all)
-            {
-                // Nearly a parabola if the velocity has just passed zero
-                const double start = normalWork(*this);
-                double lo = 0, hi = h;
-                h *= std::sqrt((all - start)/(done - start));
-                next = after(h, c);
-                done = normalWork(next);
-                for (int i = 0; i < 60; ++i)
-                {
-                    (done >= all ? hi : lo) = h;
-                    const double rate =
-                        next.v*std::sqrt(next.x*next.x + next.y*next.y);
-                    const double step = rate > 0 ? (all - done)/rate : h;
-                    const bool near = std::fabs(step) <= 1e-8*h;
-                    const bool inside = h + step > lo && h + step < hi;
-                    h = near || inside ? h + step : 0.5*(lo + hi);
-                    next = after(h, c);
-                    if (near)
-                    {
-                        break;
-                    }
-                    done = normalWork(next);
-                }
-                move(next);
                 return;
-            }
-            move(next);
-            if (turns)
-            {
-                v = 0;
-                if (e2 == 0)
-                {
-                    return;
-                }
-                compression = restituting ? compression : done;
-                restituting = !restituting;
             }
         }
     }
