@@ -28,51 +28,42 @@ void require(bool ok, const char* name, double value, const char* range)
 }
 
 
-//- The cubic between two knots, from heights and second derivatives
-interval makeInterval
+//- The n cubics between n + 1 knots from x on, spacing[i + 1] that of the
+//  cubic i, from heights and second derivatives; work holds 5 n
+void makeIntervals
 (
-    double x0,
-    double h,
-    double y0,
-    double y1,
-    double m0,
-    double m1
+    int n,
+    double x,
+    const double* spacing,
+    const double* height,
+    const double* moment,
+    double* work,
+    interval* out
 )
 {
-    interval s;
-    s.x0 = x0;
-    s.x1 = x0 + h;
-    s.c0 = y0;
-    s.c1 = (y1 - y0)/h - h*(2*m0 + m1)/6;
-    s.c2 = 0.5*m0;
-    s.c3 = (m1 - m0)/(6*h);
-
-    const double slope1 = s.c1 + h*(2*s.c2 + 3*h*s.c3);
-    s.top = std::max(y0, y1);
-    s.steep = std::max(std::fabs(s.c1), std::fabs(slope1));
-    s.crest = std::max(0., -std::min(m0, m1));
-
-    // Highest point inside: where the slope falls through zero
-    const double disc = s.c2*s.c2 - 3*s.c3*s.c1;
-    if (disc > 0)
+    double* c1 = work;
+    double* c3 = work + n;
+    double* top = work + 2*n;
+    double* steep = work + 3*n;
+    double* crest = work + 4*n;
+    impact::splineShapes
+    (
+        n, spacing, height, moment, c1, c3, top, steep, crest
+    );
+    for (int i = 0; i < n; ++i)
     {
-        // Of the two forms of the root, the one without cancellation
-        const double root = std::sqrt(disc);
-        const double num = s.c2 > 0 ? -s.c2 - root : s.c1;
-        const double den = s.c2 > 0 ? 3*s.c3 : root - s.c2;
-        const double u = den != 0 ? num/den : -1;
-        if (u > 0 && u < h)
-        {
-            s.top =
-                std::max(s.top, s.c0 + u*(s.c1 + u*(s.c2 + u*s.c3)));
-        }
+        interval& s = out[i];
+        s.x0 = x;
+        x += spacing[i + 1];
+        s.x1 = x;
+        s.c0 = height[i];
+        s.c1 = c1[i];
+        s.c2 = 0.5*moment[i];
+        s.c3 = c3[i];
+        s.top = top[i];
+        s.steep = steep[i];
+        s.crest = crest[i];
     }
-    // Steepest point inside: the inflection
-    if ((m0 > 0) != (m1 > 0) && s.c3 != 0)
-    {
-        s.steep = std::max(s.steep, std::fabs(s.c1 - s.c2*s.c2/(3*s.c3)));
-    }
-    return s;
 }
 
 } // End anonymous namespace
@@ -139,20 +130,17 @@ void impact::relief::setPeriodic
     type_ = reliefType::periodic;
     period_ = period;
     top_ = -1e300;
-    table_.clear();
-    double from = 0;
-    for (int i = 0; i < n; ++i)
+    table_.resize(n);
+    work.resize(5*n);
+    makeIntervals
+    (
+        n, 0, h.data() + lead, Y.data() + lead, M.data() + lead,
+        work.data(), table_.data()
+    );
+    table_[n - 1].x1 = period;
+    for (const interval& s : table_)
     {
-        const int k = lead + i;
-        interval s =
-            makeInterval(from, h[k + 1], Y[k], Y[k + 1], M[k], M[k + 1]);
-        if (i == n - 1)
-        {
-            s.x1 = period;
-        }
-        from = s.x1;
         top_ = std::max(top_, s.top);
-        table_.push_back(s);
     }
 }
 
@@ -299,7 +287,7 @@ impact::relief impact::relief::flat(double period)
     require(period > 0 && period < 1e100, "period", period, "(0, inf)");
     relief r;
     r.period_ = period;
-    r.table_ = {makeInterval(0, period, 0, 0, 0, 0)};
+    r.table_ = {interval{0, period, 0, 0, 0, 0, 0, 0, 0}};
     return r;
 }
 
@@ -392,7 +380,7 @@ void impact::reliefPiece::generate
     spacing_.resize(knots);
     height_.resize(knots);
     moment_.resize(knots);
-    work_.resize(2*knots);
+    work_.resize(5*knots);
     drawKnots
     (
         seed_, identity_, from - guard_, knots,
@@ -412,23 +400,18 @@ void impact::reliefPiece::generate
         }
         x = xFirst_;
     }
-    for (int i = 0; i < n; ++i)
-    {
-        const int k = guard_ + i;
-        out[i] = makeInterval
-        (
-            x, spacing_[k + 1], height_[k], height_[k + 1],
-            moment_[k], moment_[k + 1]
-        );
-        x = out[i].x1;
-    }
+    makeIntervals
+    (
+        n, x, spacing_.data() + guard_, height_.data() + guard_,
+        moment_.data() + guard_, work_.data(), out
+    );
     if (front && std::size_t(n) < intervals_.size())
     {
         out[n - 1].x1 = out[n].x0;      // not a round-off apart
     }
     if (!front)
     {
-        xLast_ = x;
+        xLast_ = out[n - 1].x1;
     }
 }
 

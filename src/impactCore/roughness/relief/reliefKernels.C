@@ -9,6 +9,7 @@
 #include "philoxLanes.H"
 
 #include <algorithm>
+#include <cmath>
 
 namespace impact
 {
@@ -69,21 +70,53 @@ impactKernel void splineMoments
     const int part = (n + lanes - 1)/lanes;
     if (part < 2*guard)
     {
-        double d = 0;
-        double c = 0;
-        for (int k = 1; k < n - 1; ++k)
+        // From both ends at once, each a chain of divisions, to the middle
+        const int left = n > 2 ? (n - 2)/2 : 0;
+        double d = 0, c = 0, f = 0, e = 0;
+        auto fromLeft = [&](int k)
         {
-            const double h0 = spacing[k];
-            const double h1 = spacing[k + 1];
+            const double h0 = spacing[k], h1 = spacing[k + 1];
             const double pivot = 1/(2*(h0 + h1) - h0*c);
             d = (6*(slope[k + 1] - slope[k]) - h0*d)*pivot;
             c = h1*pivot;
             ratio[k] = c;
             moment[k] = d;
-        }
-        for (int k = n - 2; k > 0; --k)
+        };
+        auto fromRight = [&](int k)
         {
-            moment[k] -= ratio[k]*moment[k + 1];
+            const double h0 = spacing[k], h1 = spacing[k + 1];
+            const double pivot = 1/(2*(h0 + h1) - h1*e);
+            f = (6*(slope[k + 1] - slope[k]) - h1*f)*pivot;
+            e = h0*pivot;
+            ratio[k] = e;
+            moment[k] = f;
+        };
+        for (int k = 1; k <= left; ++k)
+        {
+            fromLeft(k);
+            fromRight(n - 1 - k);
+        }
+        if (n - 2 > 2*left)
+        {
+            fromRight(left + 1);
+        }
+        double below = (d - c*f)/(1 - c*e);
+        moment[left] = left > 0 ? below : 0;
+        double above = f - e*moment[left];
+        if (n > 2)
+        {
+            moment[left + 1] = above;
+        }
+        for (int k = 1; k < n - 2 - left; ++k)
+        {
+            const int i = left - k, j = left + 1 + k;
+            if (i > 0)
+            {
+                below = moment[i] - ratio[i]*below;
+                moment[i] = below;
+            }
+            above = moment[j] - ratio[j]*above;
+            moment[j] = above;
         }
         return;
     }
@@ -148,6 +181,63 @@ impactKernel void splineMoments
     for (int k = 1; k < n - 1; ++k)
     {
         moment[k] = slope[k];
+    }
+}
+
+
+impactKernel void splineShapes
+(
+    int n,
+    const double* __restrict__ spacing,
+    const double* __restrict__ height,
+    const double* __restrict__ moment,
+    double* __restrict__ c1,
+    double* __restrict__ c3,
+    double* __restrict__ top,
+    double* __restrict__ steep,
+    double* __restrict__ crest
+)
+{
+    for (int i = 0; i < n; ++i)
+    {
+        const double h = spacing[i + 1];
+        const double y0 = height[i], y1 = height[i + 1];
+        const double m0 = moment[i], m1 = moment[i + 1];
+        const double b = (y1 - y0)/h - h*(2*m0 + m1)/6;
+        const double q = 0.5*m0;
+        const double p = (m1 - m0)/(6*h);
+        const double slope1 = b + h*(2*q + 3*h*p);
+        const double start = b < 0 ? -b : b;
+        const double end = slope1 < 0 ? -slope1 : slope1;
+        double steepest = start > end ? start : end;
+
+        // Highest point inside: where the slope falls through zero. Of the
+        // two forms of the root, the one without cancellation
+        const double disc = q*q - 3*p*b;
+        const double root = std::sqrt(positivePart(disc));
+        const double num = q > 0 ? -q - root : b;
+        const double den = q > 0 ? 3*p : root - q;
+        const double size = den < 0 ? -den : den;
+        const double ratio = num/(size + 1e-300);
+        const double u = den < 0 ? -ratio : ratio;
+        const bool inside = (disc > 0) & (size > 0) & (u > 0) & (u < h);
+        const double at = inside ? u : 0;
+        const double peak = y0 + at*(b + at*(q + at*p));
+        const double higher = y0 > y1 ? y0 : y1;
+        top[i] = inside & (peak > higher) ? peak : higher;
+
+        // Steepest point inside: the inflection
+        const double bend = p < 0 ? -p : p;
+        const double back = q*q/(3*(bend + 1e-300));
+        const double flex = b - (p < 0 ? -back : back);
+        const double flexSize = flex < 0 ? -flex : flex;
+        const bool turns = ((m0 > 0) != (m1 > 0)) & (bend > 0);
+        steep[i] = turns & (flexSize > steepest) ? flexSize : steepest;
+
+        const double least = m0 < m1 ? m0 : m1;
+        crest[i] = least < 0 ? -least : 0;
+        c1[i] = b;
+        c3[i] = p;
     }
 }
 
