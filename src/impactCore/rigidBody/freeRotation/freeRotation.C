@@ -160,6 +160,25 @@ void impact::freeRotation::evaluate(double t, rotationState& state) const
 }
 
 
+impact::freeRotation::oscillation
+impact::freeRotation::heightOf(int axis) const
+{
+    const vector3& ey = initial_.ey;
+    if (atRest_)
+    {
+        return {ey[axis], 0, 0, 0};
+    }
+    // The turn about the angular momentum; that about the axis itself leaves
+    // it where it is
+    const double mean = dot(axisL_, ey)*axisL_[axis];
+    const double cosine = ey[axis] - mean;
+    const double sine = -cross(axisL_, ey)[axis];
+    double s, c;
+    sinCos(rateL_*origin_, s, c);
+    return {mean, cosine*c - sine*s, cosine*s + sine*c, rateL_};
+}
+
+
 double impact::freeRotation::maxOmega() const
 {
     const vector3& J = body_->inertia();

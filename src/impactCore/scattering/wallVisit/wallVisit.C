@@ -142,12 +142,20 @@ class polygonShadow
 
 public:
 
+    static constexpr bool closed = false;
+
     explicit polygonShadow(const convexBody& body)
     :
         body_(body),
         w_(scratch::ofThread())
     {
         w_.reserve(body.paddedVertices().size()/3);
+    }
+
+    //- At the start of a flight
+    void begin(const bodyState& state, const freeRotation&)
+    {
+        turn(state.rotation);
     }
 
     //- Orientation of the body
@@ -369,10 +377,18 @@ class ellipseShadow
 
 public:
 
+    static constexpr bool closed = false;
+
     explicit ellipseShadow(const convexBody& body)
     :
         body_(body)
     {}
+
+    //- At the start of a flight
+    void begin(const bodyState& state, const freeRotation&)
+    {
+        turn(state.rotation);
+    }
 
     //- Orientation of the body
     void turn(const rotationState& r)
@@ -579,6 +595,68 @@ private:
     }
 };
 
+//- An ellipsoid of revolution over a flat wall: how deep it reaches depends on
+//  the height of the end of its axis alone, a harmonic oscillation
+class flatSpheroid
+{
+    const convexBody& body_;
+    int axis_;
+    double across2_, extra2_;       // semi-axes squared: across, along - across
+    double y_ = 0, Vy_ = 0;
+    freeRotation::oscillation end_ = {};
+
+public:
+
+    static constexpr bool closed = true;
+
+    //- Does it describe these?
+    static bool holds(const convexBody& body, const relief& wall)
+    {
+        return
+            wall.isFlat() && body.symmetryAxis() >= 0
+         && body.shape() == convexBody::shapeType::ellipsoid;
+    }
+
+    explicit flatSpheroid(const convexBody& body)
+    :
+        body_(body),
+        axis_(body.symmetryAxis() % 3)
+    {
+        const vector3& a = body.semiAxes();
+        const double across = a[(axis_ + 1) % 3];
+        across2_ = across*across;
+        extra2_ = a[axis_]*a[axis_] - across2_;
+    }
+
+    //- At the start of a flight
+    void begin(const bodyState& state, const freeRotation& rotation)
+    {
+        y_ = state.y;
+        Vy_ = state.V.y;
+        end_ = rotation.heightOf(axis_);
+    }
+
+    //- The lowest point at time t: its gap alone
+    lowest find(double t, double& rate) const
+    {
+        double s, c;
+        sinCos(end_.rate*t, s, c);
+        const double q = end_.mean + end_.cosine*c + end_.sine*s;
+        const double turning = end_.rate*(end_.sine*c - end_.cosine*s);
+        const double depth = std::sqrt(across2_ + extra2_*q*q);
+        rate = Vy_ - extra2_*q*turning/depth;
+        lowest out = {};
+        out.gap = y_ + Vy_*t - depth;
+        return out;
+    }
+
+    vector3 contactPoint(const rotationState& r) const
+    {
+        const vector3 n = multiply(body_.semiAxes(), r.ey);
+        return (-1/mag(n))*multiply(body_.semiAxes(), n);
+    }
+};
+
 } // End anonymous namespace
 
 
@@ -637,35 +715,58 @@ impact::contactPoint impact::wallVisit::search
 
     const bool turning = !rotation.atRest() && !body_->isSphere();
     Shadow shadow(*body_);
-    shadow.turn(state.rotation);
+    shadow.begin(state, rotation);
     auto evaluate = [&](double t, double& rate)
     {
-        rotationState now;
-        if (turning)
+        if constexpr (Shadow::closed)
         {
-            rotation.evaluate(t, now);
-            shadow.turn(now);
+            return shadow.find(t, rate);
         }
-        const lowest l = shadow.find
-        (
-            state.x + state.V.x*t, state.y + state.V.y*t, piece, hint
-        );
-        double vx = state.V.x;
-        double vy = state.V.y;
-        if (turning)
+        else
         {
-            const vector3 spin = cross(now.omega, shadow.point(l));
-            vx += dot(spin, now.ex);
-            vy += dot(spin, now.ey);
+            rotationState now;
+            if (turning)
+            {
+                rotation.evaluate(t, now);
+                shadow.turn(now);
+            }
+            const lowest l = shadow.find
+            (
+                state.x + state.V.x*t, state.y + state.V.y*t, piece, hint
+            );
+            double vx = state.V.x;
+            double vy = state.V.y;
+            if (turning)
+            {
+                const vector3 spin = cross(now.omega, shadow.point(l));
+                vx += dot(spin, now.ex);
+                vy += dot(spin, now.ey);
+            }
+            rate = vy - l.slope*vx;
+            return l;
         }
-        rate = vy - l.slope*vx;
-        return l;
     };
     // Of the last evaluation
     auto contact = [&](double t, const lowest& l)
     {
-        return contactPoint
-            {true, t, l.gap, l.slope, l.x, shadow.contactPoint(l)};
+        if constexpr (Shadow::closed)
+        {
+            rotationState now = state.rotation;
+            if (turning)
+            {
+                rotation.evaluate(t, now);
+            }
+            const vector3 r = shadow.contactPoint(now);
+            return contactPoint
+            {
+                true, t, l.gap, 0, state.x + state.V.x*t + dot(r, now.ex), r
+            };
+        }
+        else
+        {
+            return contactPoint
+                {true, t, l.gap, l.slope, l.x, shadow.contactPoint(l)};
+        }
     };
 
     double t0 = 0;
@@ -905,7 +1006,9 @@ impact::visitResult impact::wallVisit::visit
     std::int64_t hint
 ) const
 {
-    return body_->shape() == convexBody::shapeType::ellipsoid
+    return flatSpheroid::holds(*body_, piece.model())
+      ? visitWith<flatSpheroid>(state, piece, hint, 0)
+      : body_->shape() == convexBody::shapeType::ellipsoid
       ? visitWith<ellipseShadow>(state, piece, hint, 0)
       : visitWith<polygonShadow>(state, piece, hint, 0);
 }
@@ -919,7 +1022,9 @@ impact::visitResult impact::wallVisit::resume
     std::int64_t hint
 ) const
 {
-    return body_->shape() == convexBody::shapeType::ellipsoid
+    return flatSpheroid::holds(*body_, piece.model())
+      ? visitWith<flatSpheroid>(state, piece, hint, impacts)
+      : body_->shape() == convexBody::shapeType::ellipsoid
       ? visitWith<ellipseShadow>(state, piece, hint, impacts)
       : visitWith<polygonShadow>(state, piece, hint, impacts);
 }
@@ -934,7 +1039,9 @@ impact::contactPoint impact::wallVisit::firstContact
 {
     freeRotation rotation(*body_, state.rotation);
     bool lost = false;
-    return body_->shape() == convexBody::shapeType::ellipsoid
+    return flatSpheroid::holds(*body_, piece.model())
+      ? search<flatSpheroid>(state, rotation, false, 0, piece, hint, lost)
+      : body_->shape() == convexBody::shapeType::ellipsoid
       ? search<ellipseShadow>(state, rotation, false, 0, piece, hint, lost)
       : search<polygonShadow>(state, rotation, false, 0, piece, hint, lost);
 }
