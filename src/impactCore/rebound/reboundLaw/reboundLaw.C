@@ -445,7 +445,7 @@ struct frictionProcess
         expandFriction(mu, k, f, c);
     }
 
-    //- How far the series goes: its last two terms are below 1e-12 of the
+    //- How far the series goes: its last two terms are below 1e-11 of the
     //  slip. A fraction of the radius of convergence is tried first
     static double range(const frictionSeries& c)
     {
@@ -467,7 +467,7 @@ struct frictionProcess
         for (;;)
         {
             const double h2 = h*h, h4 = h2*h2, h8 = h4*h4;
-            if (!((h8*h8)*(h4*h2*h)*std::max(before, h*last) > 1e-12))
+            if (!((h8*h8)*(h4*h2*h)*std::max(before, h*last) > 1e-11))
             {
                 return h;
             }
@@ -501,6 +501,14 @@ struct frictionProcess
     double normalRate(const impactState& q) const
     {
         return a*q.slip - mu*(f1*q.x + f2*q.y);
+    }
+
+    //- Of the magnitude of slip by tau
+    double slipRate(const impactState& q) const
+    {
+        return
+            f1*q.x + f2*q.y
+          - mu*(k11*q.x*q.x + 2*k12*q.x*q.y + k22*q.y*q.y)/q.slip;
     }
 
     void move(const impactState& q)
@@ -563,9 +571,15 @@ struct frictionProcess
                 for (int i = 0; i < 60; ++i)
                 {
                     (done >= all ? hi : lo) = h;
+                    // To second order in the step
                     const double rate = next.v*next.slip;
-                    const double step = rate > 0 ? (all - done)/rate : h;
-                    const bool near = std::fabs(step) <= 1e-8*h;
+                    const double change =
+                        next.v*slipRate(next) + next.slip*normalRate(next);
+                    const double rest = all - done;
+                    const double square = rate*rate + 2*change*rest;
+                    const double step = rate > 0 && square > 0
+                      ? 2*rest/(rate + std::sqrt(square)) : h;
+                    const bool near = std::fabs(step) <= 1e-5*h;
                     const bool inside = h + step > lo && h + step < hi;
                     h = near || inside ? h + step : 0.5*(lo + hi);
                     next = after(origin, h, c);
