@@ -463,8 +463,11 @@ TEST(reboundLaw, frictionSurvivesExtremes)
         const double mu = std::min(1e6, std::pow(10., -9 + i % 16));
         const double slip = std::pow(10., -14 + i % 15);
         c.omega = {0, 0, 0};
-        c.V = -c.n + slip*randomUnit(rnd);
-        const double e = 0.5*(i % 3);
+        const vector3 u = randomUnit(rnd);
+        c.V = i % 2
+          ? -c.n + slip*u
+          : u - (dot(u, c.n) + std::pow(10., -(i/2) % 17))*c.n;
+        const double e = 0.1*(i % 11);
         const impactRecord out = reboundLaw::coulomb(e, mu).impact
             (c.body.inertia(), c.r, c.n, c.V, c.omega);
         const double pn = dot(out.dV, c.n);

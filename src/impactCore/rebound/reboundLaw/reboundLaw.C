@@ -562,8 +562,13 @@ struct frictionProcess
             const double all = compression*(1 - e2);
             if (restituting && done >= all)
             {
-                // Nearly a parabola if the velocity has just passed zero
+                // Of an impact so slight that round-off is all its work
                 const double start = normalWork(*this);
+                if (start >= all)
+                {
+                    return true;
+                }
+                // Nearly a parabola if the velocity has just passed zero
                 double lo = from, hi = h;
                 h = from + (h - from)*std::sqrt((all - start)/(done - start));
                 next = after(origin, h, c);
