@@ -296,6 +296,11 @@ TEST(scatteringSampler, followsManyBodiesAsTheGeneralSearchFollowsOne)
             brick, 15, still, exit, reboundLaw::restitution(0.5, 0.5), steep
         }
     );
+    const reboundLaw rubbing = reboundLaw::coulomb(0.8, 0.3);
+    variants.push_back({ball, 15, still, exit, rubbing, paper});
+    variants.push_back({egg, 5, still, exit, rubbing, paper});
+    variants.push_back({brick, 45, {1e6, 2e7, 0}, exit, rubbing, paper});
+    variants.push_back({rod, 15, still, once, rubbing, steep});
 
     // On the smooth wall, whose kernels take boxes to the end of a hop at once
     const std::shared_ptr<const relief> smooth;

@@ -653,6 +653,51 @@ impactKernel void roughImpact
 }
 
 
+impactKernel void roughArrive
+(
+    int n,
+    roughLanes& __restrict__ l
+)
+{
+    for (int i = 0; i < n; ++i)
+    {
+        const double t1 = l.t[i] + l.tau[i];
+        vector3 u, v;
+        turnTo(l, i, t1, true, u, v);
+        const vector3 axis = get(l.axisL, i);
+        const double wL = l.rateL[i], wu = l.rateAxis[i];
+        put
+        (
+            l.w, i,
+            {wL*axis.x + wu*u.x, wL*axis.y + wu*u.y, wL*axis.z + wu*u.z}
+        );
+        l.x[i] = l.x[i] + l.V[0][i]*t1;
+        l.y[i] = l.y[i] + l.V[1][i]*t1;
+        put(l.u, i, u);
+        put(l.v, i, v);
+    }
+}
+
+
+impactKernel void roughDepart
+(
+    int n,
+    const roughBody& body,
+    roughLanes& __restrict__ l
+)
+{
+    const double R = body.radius;
+    for (int i = 0; i < n; ++i)
+    {
+        const vector3 V = get(l.V, i);
+        const vector3 w = get(l.w, i);
+        const vector3 at = V + cross(w, get(l.r, i));
+        begin(body, V, get(l.u, i), w, R, R, l, i);
+        l.rate[i] = at.y - l.slope[i]*at.x;
+    }
+}
+
+
 impactKernel void roughLaunch
 (
     int n,

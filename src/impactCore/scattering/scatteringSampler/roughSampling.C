@@ -147,6 +147,49 @@ bool moveWindow
     return true;
 }
 
+//- One impact by any law
+void strikeOne
+(
+    const impact::reboundLaw& law,
+    const impact::roughBody& body,
+    roughLanes& l,
+    int i
+)
+{
+    using impact::vector3;
+    auto get = [i](const roughLanes::lane* a)
+    {
+        return vector3{a[0][i], a[1][i], a[2][i]};
+    };
+    auto put = [i](roughLanes::lane* a, const vector3& b)
+    {
+        a[0][i] = b.x;
+        a[1][i] = b.y;
+        a[2][i] = b.z;
+    };
+    const vector3 u = get(l.u), v = get(l.v), t = cross(u, v);
+    auto toBody = [&](const vector3& a)
+    {
+        return vector3{dot(a, u), dot(a, v), dot(a, t)};
+    };
+    auto fromBody = [&](const vector3& a)
+    {
+        return a.x*u + a.y*v + a.z*t;
+    };
+    const vector3 V = get(l.V), w = get(l.w);
+    const double cosine = 1/std::sqrt(1 + l.slope[i]*l.slope[i]);
+    const impact::impactRecord record = law.impact
+    (
+        {body.Ja, body.Jc, body.Jc}, toBody(get(l.r)),
+        toBody({-cosine*l.slope[i], cosine, 0}), toBody(V), toBody(w)
+    );
+    l.approach[i] = record.approachSpeed;
+    l.pulling[i] = record.pulling;
+    l.gaining[i] = record.gainsEnergy();
+    put(l.V, V + fromBody(record.dV));
+    put(l.w, w + fromBody(record.dOmega));
+}
+
 } // End anonymous namespace
 
 
@@ -162,7 +205,7 @@ void impact::scatteringSampler::setRoughBody()
 
     vectorRough_ =
         body.symmetryAxis() >= 0 && (ellipsoid || body.isBox())
-     && law.law() == reboundLaw::lawType::restitution && law.normal() > 0
+     && law.normal() > 0
      && stretch_ < 512
      && 2.001*R < 2*shortest;
     if (!vectorRough_)
@@ -458,7 +501,19 @@ void impact::scatteringSampler::sampleRandomRelief
             const int i = struck[std::min(k, m - 1)];
             copyLane(l, i, hits, k, impactFields);
         }
-        roughImpact(wholeVectors(m), rough_, hits);
+        if (setup_.law.law() == reboundLaw::lawType::restitution)
+        {
+            roughImpact(wholeVectors(m), rough_, hits);
+        }
+        else
+        {
+            roughArrive(wholeVectors(m), hits);
+            for (int k = 0; k < m; ++k)
+            {
+                strikeOne(setup_.law, rough_, hits, k);
+            }
+            roughDepart(wholeVectors(m), rough_, hits);
+        }
 
         // Backwards: a lane may be taken by the last one
         for (int k = m - 1; k >= 0; --k)
