@@ -45,6 +45,64 @@ inline double bendIn(const relief::interval& s, double x)
 }
 
 
+//- An edge of a shadow, between two points of numbers i and j
+struct straightEdge
+{
+    double xi, yi, xj, yj;
+    int i, j;
+
+    //- The crest of an interval, if it lies under the edge
+    void offerCrest(const relief::interval& s, lowest& out) const
+    {
+        const double xa = std::min(xi, xj);
+        const double xb = std::max(xi, xj);
+        if (s.x1 <= xa || s.x0 >= xb || !(s.crest > 0))
+        {
+            return;
+        }
+        // Slope of the relief equal to m, falling
+        const double m = (yj - yi)/(xj - xi);
+        const double q = s.c1 - m;
+        const double disc = s.c2*s.c2 - 3*s.c3*q;
+        if (!(disc > 0))
+        {
+            return;
+        }
+        const double root = std::sqrt(disc);
+        const double den = root - s.c2;
+        double u;
+        if (s.c2 <= 0 || s.c3 == 0)
+        {
+            if (!(den > 0))
+            {
+                return;
+            }
+            u = q/den;
+        }
+        else
+        {
+            u = (-s.c2 - root)/(3*s.c3);
+        }
+        const double x = s.x0 + u;
+        if (!(x > std::max(xa, s.x0)) || !(x < std::min(xb, s.x1)))
+        {
+            return;
+        }
+        const double f = (x - xi)/(xj - xi);
+        const double gap = yi + f*(yj - yi) - heightIn(s, x);
+        if (gap < out.gap)
+        {
+            out.gap = gap;
+            out.x = x;
+            out.slope = m;
+            out.i = i;
+            out.j = j;
+            out.parameter = f;
+        }
+    }
+};
+
+
 class polygonShadow
 {
     //- Arrays of one thread
@@ -74,68 +132,21 @@ class polygonShadow
     scratch& w_;
     vector3 ex_, ey_, ez_;
 
-    //- Crests under the edge from vertex i to j, dx apart
+    //- Crests under the edge from vertex i to j
     void offerCrests
     (
         int i,
         int j,
-        double dx,
         std::int64_t first,
         std::int64_t last,
         reliefPiece& piece,
         lowest& out
     ) const
     {
-        const double* X = w_.X.data();
-        const double* Y = w_.Y.data();
-        const double m = (Y[j] - Y[i])/dx;
-        const double xa = std::min(X[i], X[j]);
-        const double xb = std::max(X[i], X[j]);
+        const straightEdge e = {w_.X[i], w_.Y[i], w_.X[j], w_.Y[j], i, j};
         for (std::int64_t l = first; l <= last; ++l)
         {
-            const relief::interval& s = piece.at(l);
-            if (s.x1 <= xa || s.x0 >= xb || !(s.crest > 0))
-            {
-                continue;
-            }
-            // Slope of the relief equal to m, falling
-            const double q = s.c1 - m;
-            const double disc = s.c2*s.c2 - 3*s.c3*q;
-            if (!(disc > 0))
-            {
-                continue;
-            }
-            const double root = std::sqrt(disc);
-            const double den = root - s.c2;
-            double u;
-            if (s.c2 <= 0 || s.c3 == 0)
-            {
-                if (!(den > 0))
-                {
-                    continue;
-                }
-                u = q/den;
-            }
-            else
-            {
-                u = (-s.c2 - root)/(3*s.c3);
-            }
-            const double x = s.x0 + u;
-            if (!(x > std::max(xa, s.x0)) || !(x < std::min(xb, s.x1)))
-            {
-                continue;
-            }
-            const double f = (x - X[i])/dx;
-            const double gap = Y[i] + f*(Y[j] - Y[i]) - heightIn(s, x);
-            if (gap < out.gap)
-            {
-                out.gap = gap;
-                out.x = x;
-                out.slope = m;
-                out.i = i;
-                out.j = j;
-                out.parameter = f;
-            }
+            e.offerCrest(piece.at(l), out);
         }
     }
 
@@ -266,7 +277,7 @@ public:
                 {
                     continue;
                 }
-                offerCrests(i, j, dx, first, last, piece, out);
+                offerCrests(i, j, first, last, piece, out);
             }
         }
         return out;
@@ -301,6 +312,171 @@ public:
             }
         }
         return count > 1 ? (1./count)*sum : point(l);
+    }
+};
+
+
+//- The shadow of a box is a sum of three segments: its lower boundary is those
+//  segments one after the other by rising slope, from corner 0 to corner 3
+class boxShadow
+{
+    const convexBody& body_;
+
+    //- Half the segments, towards x, and by rising slope: shadow, and sides
+    //  of the box with their sense
+    double gx_[3], gy_[3], side_[3];
+    int axis_[3];
+
+    //- Corners from the centre
+    double x_[4], y_[4];
+
+    void order(int a, int b)
+    {
+        if (gy_[a]*gx_[b] > gy_[b]*gx_[a])
+        {
+            std::swap(gx_[a], gx_[b]);
+            std::swap(gy_[a], gy_[b]);
+            std::swap(side_[a], side_[b]);
+            std::swap(axis_[a], axis_[b]);
+        }
+    }
+
+
+public:
+
+    static constexpr bool closed = false;
+
+    explicit boxShadow(const convexBody& body)
+    :
+        body_(body)
+    {}
+
+    //- At the start of a flight
+    void begin(const bodyState& state, const freeRotation&)
+    {
+        turn(state.rotation);
+    }
+
+    //- Orientation of the body
+    void turn(const rotationState& r)
+    {
+        const vector3& half = body_.semiAxes();
+        for (int k = 0; k < 3; ++k)
+        {
+            side_[k] = r.ex[k] < 0 ? -half[k] : half[k];
+            gx_[k] = side_[k]*r.ex[k];
+            gy_[k] = side_[k]*r.ey[k];
+            axis_[k] = k;
+        }
+        order(0, 1);
+        order(1, 2);
+        order(0, 1);
+        x_[3] = gx_[0] + gx_[1] + gx_[2];
+        y_[3] = gy_[0] + gy_[1] + gy_[2];
+        x_[0] = -x_[3];
+        y_[0] = -y_[3];
+        x_[1] = x_[0] + 2*gx_[0];
+        y_[1] = y_[0] + 2*gy_[0];
+        x_[2] = x_[3] - 2*gx_[2];
+        y_[2] = y_[3] - 2*gy_[2];
+    }
+
+    //- The lowest point with the centre at (x, y)
+    lowest find
+    (
+        double x,
+        double y,
+        reliefPiece& piece,
+        std::int64_t hint
+    ) const
+    {
+        std::int64_t n = piece.find(x + x_[0], hint);
+        const std::int64_t first = n;
+        const relief::interval* s = &piece.at(n);
+        double crest = s->crest;
+        double gap[4];
+        lowest out;
+        out.gap = 1e300;
+        out.parameter = 0;
+        for (int i = 0; i < 4; ++i)
+        {
+            const double at = x + x_[i];
+            while (at >= s->x1)
+            {
+                s = &piece.at(++n);
+                crest = std::max(crest, s->crest);
+            }
+            gap[i] = y + y_[i] - heightIn(*s, at);
+            if (gap[i] < out.gap)
+            {
+                out.gap = gap[i];
+                out.x = at;
+                out.slope = slopeIn(*s, at);
+                out.i = out.j = i;
+            }
+        }
+        if (!(crest > 0))
+        {
+            return out;
+        }
+
+        // A crest may reach the inside of an edge: see polygonShadow
+        for (int i = 0; i < 3; ++i)
+        {
+            const double dx = x_[i + 1] - x_[i];
+            const double bow = 0.5*crest*dx*dx;
+            const double low = std::min(gap[i], gap[i + 1]);
+            const double rise = std::fabs(gap[i + 1] - gap[i]);
+            if
+            (
+                rise >= bow
+             || 4*bow*(low - out.gap) >= (bow - rise)*(bow - rise)
+            )
+            {
+                continue;
+            }
+            const straightEdge e =
+            {
+                x + x_[i], y + y_[i], x + x_[i + 1], y + y_[i + 1], i, i + 1
+            };
+            for (std::int64_t k = first; k <= n; ++k)
+            {
+                e.offerCrest(piece.at(k), out);
+            }
+        }
+        return out;
+    }
+
+    //- The material point, body components
+    vector3 point(const lowest& l) const
+    {
+        vector3 r;
+        for (int k = 0; k < 3; ++k)
+        {
+            const double share =
+                k < l.i ? 1 : k < l.j ? 2*l.parameter - 1 : -1;
+            r[axis_[k]] = share*side_[k];
+        }
+        return r;
+    }
+
+    //- The same for a contact: see polygonShadow
+    vector3 contactPoint(const lowest& l) const
+    {
+        const double near = 0.5e-9*body_.radius();
+        vector3 r = point(l);
+        for (int k = 0; l.i == l.j && k < 3; ++k)
+        {
+            if
+            (
+                gx_[k] < near
+             && std::fabs(gy_[k] - l.slope*gx_[k]) < near
+            )
+            {
+                r[axis_[k]] = 0;
+            }
+        }
+        return r;
     }
 };
 
@@ -1010,6 +1186,8 @@ impact::visitResult impact::wallVisit::visit
       ? visitWith<flatSpheroid>(state, piece, hint, 0)
       : body_->shape() == convexBody::shapeType::ellipsoid
       ? visitWith<ellipseShadow>(state, piece, hint, 0)
+      : body_->isBox()
+      ? visitWith<boxShadow>(state, piece, hint, 0)
       : visitWith<polygonShadow>(state, piece, hint, 0);
 }
 
@@ -1026,6 +1204,8 @@ impact::visitResult impact::wallVisit::resume
       ? visitWith<flatSpheroid>(state, piece, hint, impacts)
       : body_->shape() == convexBody::shapeType::ellipsoid
       ? visitWith<ellipseShadow>(state, piece, hint, impacts)
+      : body_->isBox()
+      ? visitWith<boxShadow>(state, piece, hint, impacts)
       : visitWith<polygonShadow>(state, piece, hint, impacts);
 }
 
@@ -1043,6 +1223,8 @@ impact::contactPoint impact::wallVisit::firstContact
       ? search<flatSpheroid>(state, rotation, false, 0, piece, hint, lost)
       : body_->shape() == convexBody::shapeType::ellipsoid
       ? search<ellipseShadow>(state, rotation, false, 0, piece, hint, lost)
+      : body_->isBox()
+      ? search<boxShadow>(state, rotation, false, 0, piece, hint, lost)
       : search<polygonShadow>(state, rotation, false, 0, piece, hint, lost);
 }
 
@@ -1060,5 +1242,7 @@ double impact::wallVisit::gap
         return shadow.find(state.x, state.y, piece, hint).gap;
     };
     return body_->shape() == convexBody::shapeType::ellipsoid
-      ? find(ellipseShadow(*body_)) : find(polygonShadow(*body_));
+      ? find(ellipseShadow(*body_))
+      : body_->isBox()
+      ? find(boxShadow(*body_)) : find(polygonShadow(*body_));
 }
