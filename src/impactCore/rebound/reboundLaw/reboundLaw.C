@@ -92,10 +92,9 @@ inline double polynomial(const double* c, double t, double& rate)
 
 
 //- Where a polynomial rises through zero between lo and hi
-double rising(const double* c, double lo, double hi)
+double rising(const double* c, double lo, double hi, double guess)
 {
-    const double linear = c[1] > 0 ? -c[0]/c[1] : hi;
-    double t = linear > lo && linear < hi ? linear : 0.5*(lo + hi);
+    double t = guess > lo && guess < hi ? guess : 0.5*(lo + hi);
     for (int i = 0; i < 60; ++i)
     {
         double rate;
@@ -521,13 +520,14 @@ struct frictionProcess
     bool follow(const frictionSeries& c, double range)
     {
         const impactState origin = *this;
+        const impactState last = after(origin, range, c);
         double from = 0;
-        for (;;)
+        while (from < range)
         {
             // The velocity along the normal passes zero at most once while
             // slip turns so little, or comes back once
             double h = range;
-            impactState next = after(origin, h, c);
+            impactState next = last;
             const double direction = restituting ? -1 : 1;
             const double rate0 = direction*normalRate(*this);
             const double rate1 = direction*normalRate(next);
@@ -546,13 +546,22 @@ struct frictionProcess
                         fall[n] = -(n + 1)*w[n + 1];
                     }
                     fall[frictionOrder] = 0;
-                    const double top = rising(fall, from, h);
+                    const double top = rising(fall, from, h, from);
                     turns = direction*after(origin, top, c).v > 0;
                     h = turns ? top : h;
                 }
                 if (turns)
                 {
-                    h = rising(w, from, h);
+                    // Guess by the parabola through both ends
+                    const double length = h - from;
+                    const double start = direction*v;
+                    const double bend =
+                        (direction*next.v - start - rate0*length)
+                       /(length*length);
+                    const double square = rate0*rate0 - 4*bend*start;
+                    const double guess = rate0 > 0 && square > 0
+                      ? from - 2*start/(rate0 + std::sqrt(square)) : from;
+                    h = rising(w, from, h, guess);
                     next = after(origin, h, c);
                 }
             }
@@ -611,6 +620,7 @@ struct frictionProcess
             restituting = !restituting;
             from = h;
         }
+        return false;
     }
 
     //- The whole impact
