@@ -476,6 +476,17 @@ TEST(reboundLaw, frictionSurvivesExtremes)
             << "run " << i;
         EXPECT_LE(out.energyChange, 1e-9*out.energyBefore) << "run " << i;
         EXPECT_TRUE(std::isfinite(mag(out.dV) + mag(out.dOmega)));
+
+        // At rest
+        EXPECT_EQ
+        (
+            mag
+            (
+                reboundLaw::coulomb(e, mu).impact
+                    (c.body.inertia(), c.r, c.n, {0, 0, 0}, {0, 0, 0}).dV
+            ),
+            0
+        );
     }
 }
 

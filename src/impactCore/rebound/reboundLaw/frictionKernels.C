@@ -72,22 +72,6 @@ impactInline void addTerms(const linearPart& q, frictionSeries& c)
     }
 }
 
-
-struct inverseNumbers
-{
-    double of[frictionOrder + 2] = {};
-
-    constexpr inverseNumbers()
-    {
-        for (int n = 1; n < frictionOrder + 2; ++n)
-        {
-            of[n] = 1./n;
-        }
-    }
-};
-
-constexpr inverseNumbers inverses;
-
 } // End anonymous namespace
 
 

@@ -15,6 +15,8 @@ namespace
 
 using impact::frictionOrder;
 using impact::frictionSeries;
+using impact::inverses;
+using impact::slipEndOrder;
 using impact::vector3;
 
 void checkRange
@@ -48,26 +50,6 @@ vector3 response
         {m.x/inertia.x, m.y/inertia.y, m.z/inertia.z};
     return S + cross(dOmega, r);
 }
-
-
-//- Highest order of the series of the end of slip
-constexpr int endOrder = 32;
-
-//- Of whole numbers
-struct inverseNumbers
-{
-    double of[endOrder + 2] = {};
-
-    constexpr inverseNumbers()
-    {
-        for (int n = 1; n < endOrder + 2; ++n)
-        {
-            of[n] = 1./n;
-        }
-    }
-};
-
-constexpr inverseNumbers inverses;
 
 
 //- Sixteenth root: square roots round alike on every machine
@@ -166,7 +148,7 @@ struct frictionProcess
 
     const double x0, y0, v0;        // velocities on arrival
 
-    double compression = 0;         // its value when the approach stopped
+    double compression = 0;         // normal work when the approach stopped
     bool restituting = false;
 
     frictionProcess
@@ -344,15 +326,15 @@ struct frictionProcess
         const double kRT = k12*(c*c - s*s) + (k22 - k11)*c*s;
         const double half = 0.5*(k11 - k22)*(c*c - s*s) + 2*k12*c*s;
         const double T1 = straight ? 0 : change;
-        double R[endOrder + 1], T[endOrder + 1];
-        double P[endOrder + 1], Z[endOrder + 1];
+        double R[slipEndOrder + 1], T[slipEndOrder + 1];
+        double P[slipEndOrder + 1], Z[slipEndOrder + 1];
         R[0] = fR - mu*(mean + half);
         P[0] = -1/R[0];
         Z[0] = 0.5*P[0];
         double sumP = P[0], sumZ = Z[0];
         double one = 1, two = 1;    // d^k/k!, (2d)^k/k!
         int small = d == 0 ? 2 : 0;
-        for (int k = 1; k <= endOrder && small < 2; ++k)
+        for (int k = 1; k <= slipEndOrder && small < 2; ++k)
         {
             // Coefficients of the cosine and the sine of d and of 2d; T[k]
             // is that of d^(k+1), times d^k
@@ -706,6 +688,10 @@ impact::vector3 impact::reboundLaw::frictionImpulse
     const vector3 K2 = response(inertia, r, t2);
     const vector3 Kn = response(inertia, r, n);
     const double speed0 = mag(Vc0);
+    if (!(speed0 > 0))
+    {
+        return {0, 0, 0};
+    }
     frictionProcess process
     (
         friction_, normal_*normal_,
