@@ -380,7 +380,13 @@ bool Foam::EventDrivenCollisions<CloudType>::proceed(flight& f, mission& m)
         case ARRIVE: return arrive(f, m);
         case REST: return rest(f, m);
         case END_REST: return endRest(f, m);
-        case HOLD: return hold(f, m);
+        case HOLD:
+            if (mag(f.parcel->U()) <= m.slow)
+            {
+                return hold(f, m);
+            }
+            m.kind = m.free;
+            return m.kind == REST ? rest(f, m) : plan(f, m);
         case DISPLACE: return displace(f, m);
     }
     return true;
@@ -434,6 +440,11 @@ bool Foam::EventDrivenCollisions<CloudType>::plan(flight& f, mission& m)
         {
             m.path.a = toCore(2/sqr(h)*bend);
         }
+        if (h > 1e-9*deltaT_)
+        {
+            // The bend of a short way is the error of its ends
+            m.pull = mag(solved(p.U()) - fromCore(m.path.v))/h;
+        }
     }
     return true;
 }
@@ -455,7 +466,7 @@ template<class CloudType>
 bool Foam::EventDrivenCollisions<CloudType>::rest(flight& f, mission& m)
 {
     parcelType& p = *f.parcel;
-    const scalar pause = min(0.1*deltaT_, deltaT_ - m.t);
+    const scalar pause = min(restShare*deltaT_, deltaT_ - m.t);
     const bool home = !m.begun;
     if (home)
     {
@@ -526,7 +537,12 @@ bool Foam::EventDrivenCollisions<CloudType>::endRest(flight& f, mission& m)
         td_->keepParticle = true;
         p.face() = -1;
         p.setCellValues(cloud_, *td_);
+        const vector before = p.U();
         p.calc(cloud_, *td_, pause);
+        if (pause > 1e-9*deltaT_)
+        {
+            m.pull = mag(solved(p.U() - before))/pause;
+        }
         p.age() += pause;
         cloud_.functions().postMove
             (p, pause, m.way, td_->keepParticle);
@@ -572,23 +588,33 @@ bool Foam::EventDrivenCollisions<CloudType>::arrive(flight& f, mission& m)
         }
         m.settling = true;
     }
-    if (!hit)
+
+    // From where the integration leads to the parabola, along a wall if there
+    // is one: another parcel is where the parabola does not lead
+    const auto away = [&]()
     {
-        // From where the integration leads to the parabola
-        p.track
-        (
-            solved(fromCore(m.path.position(m.t)) - p.position()),
-            0
-        );
-        if (atPass(p) && m.hops < maxHops)
+        return solved(fromCore(m.path.position(m.t)) - p.position());
+    };
+    p.track(away(), 0);
+    if (p.onBoundaryFace() && !atPass(p))
+    {
+        vector n = p.mesh().faceAreas()[p.face()];
+        n /= mag(n);
+        vector way = away();
+        way -= max(way & n, scalar(0))*n;
+        if (mag(way) > 0)
         {
-            return false;
+            p.track(way - 1e-6*mag(way)*n, 0);
         }
-        hit =
-            p.onBoundaryFace()
-         && !atPass(p)
-         && (p.U() & p.mesh().faceAreas()[p.face()]) > 0;
     }
+    if (atPass(p) && m.hops < maxHops)
+    {
+        return false;
+    }
+    hit =
+        p.onBoundaryFace()
+     && !atPass(p)
+     && (p.U() & p.mesh().faceAreas()[p.face()]) > 0;
     p.stepFraction() = m.t < deltaT_ ? m.t/deltaT_ : 1;
     m.boundary = hit;
     if (hit)
@@ -838,7 +864,7 @@ void Foam::EventDrivenCollisions<CloudType>::collide
             adoptPlan(c, then);
             return;
         }
-        mission m(next(c, resting ? REST : PLAN, resting), t);
+        mission m = next(c, resting ? REST : PLAN, resting, t, pull);
         m.U = then.U;
         m.omega = then.omega;
         m.setU = true;
@@ -859,7 +885,10 @@ void Foam::EventDrivenCollisions<CloudType>::collide
         const double approach = impact::dot(n, first.v - second.v);
         resting =
             a.held || b.held
-         || duration_.rests(a.recent, t) || duration_.rests(b.recent, t);
+         || (
+                approach <= atRest(pull)
+             && (duration_.rests(a.recent, t) || duration_.rests(b.recent, t))
+            );
         const bool elastic = !resting
          && (
                 duration_.elastic(a.recent, t, approach, pull)
@@ -867,11 +896,13 @@ void Foam::EventDrivenCollisions<CloudType>::collide
             );
         const impact::pairCollision out =
             (resting ? restingLaw_ : law_).collide(first, second, n, elastic);
+
+        // Forces that press may not have made a speed yet
+        const bool slow = duration_.slow(approach, pull);
+        duration_.count(a.recent, t, slow);
+        duration_.count(b.recent, t, slow);
         if (approach > 0)
         {
-            const bool slow = duration_.slow(approach, pull);
-            duration_.count(a.recent, t, slow);
-            duration_.count(b.recent, t, slow);
             ++report_.pairEvents;
             report_.rankPairs += a.rank != b.rank;
             report_.restitutionLoss += out.restitutionLoss;
@@ -903,7 +934,8 @@ bool Foam::EventDrivenCollisions<CloudType>::hitWall
         mission m(END_REST, t);
         m.path = c.path;
         fly(c, m);
-        mission then(next(c, PLAN, true), t);
+        c.pull = m.pull >= 0 ? m.pull : c.pull;
+        mission then = next(c, PLAN, true, t, c.pull);
         fly(c, then);
         adoptPlan(c, then);
         return true;
@@ -916,7 +948,7 @@ bool Foam::EventDrivenCollisions<CloudType>::hitWall
         c.hits = 0;
     }
     const bool rests = ++c.hits > 8;
-    mission m(next(c, rests ? REST : PLAN, rests), t);
+    mission m = next(c, rests ? REST : PLAN, rests, t, c.pull);
     const leg last = commitLegs(c, m.keep);
     c.rank = last.rank;
     c.slot = last.slot;
