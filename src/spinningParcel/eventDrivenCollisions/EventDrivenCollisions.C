@@ -152,7 +152,7 @@ template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::collect()
 {
     flights_.clear();
-    flights_.reserve(cloud_.size());
+    grow(flights_, cloud_.size());
     label n = 0;
     for (parcelType& p : cloud_)
     {
@@ -162,7 +162,10 @@ void Foam::EventDrivenCollisions<CloudType>::collect()
         {
             checkNumber(p);
             flights_.emplace_back(p);
-            flights_.back().injected = injected;
+            flight& f = flights_.back();
+            f.injected = injected;
+            f.x = p.position();
+            f.placed = true;
         }
         else if (!p.move(cloud_, *td_, deltaT_))
         {
@@ -175,18 +178,12 @@ void Foam::EventDrivenCollisions<CloudType>::collect()
 template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::admitInjected()
 {
-    // Others matter near new parcels only, or at the ends of a period
-    boundBox near;
     scalar largest = 0;
     bool any = false;
     for (const flight& f : flights_)
     {
         largest = max(largest, f.parcel->d());
-        if (f.injected)
-        {
-            any = true;
-            near.add(f.parcel->position());
-        }
+        any = any || f.injected;
     }
     reduce(any, orOp<bool>());
     if (!any)
@@ -194,11 +191,19 @@ void Foam::EventDrivenCollisions<CloudType>::admitInjected()
         return;
     }
     reduce(largest, maxOp<scalar>());
-    near.reduce();
-    const vector margin(2*largest*vector::one);
-    near = boundBox(near.min() - margin, near.max() + margin);
+
+    // Others matter near new parcels only, or at the ends of a period
     const bool* periodic = step_.grid().domain().periodic;
     const bool all = periodic[0] || periodic[1] || periodic[2];
+    vicinity ofNew(bounds_, directions_);
+    for (const flight& f : flights_)
+    {
+        if (f.injected)
+        {
+            ofNew.add(f.x, 2*largest);
+        }
+    }
+    ofNew.reduce();
 
     struct member
     {
@@ -225,8 +230,8 @@ void Foam::EventDrivenCollisions<CloudType>::admitInjected()
                 continue;
             }
             const parcelType& p = *f.parcel;
-            const point x = p.position();
-            if (f.injected || all || near.contains(x))
+            const point x = f.placed ? f.x : p.position();
+            if (f.injected || all || ofNew.near(x))
             {
                 members.push_back
                 ({
@@ -405,10 +410,11 @@ bool Foam::EventDrivenCollisions<CloudType>::plan(flight& f, mission& m)
         m.resting = false;
         m.boundary = false;
         m.end = deltaT_;
-        m.path.x = toCore(solved(p.position()));
+        m.path.x = toCore(solved(f.placed ? f.x : p.position()));
         m.path.v = toCore(solved(p.U()));
         m.path.a = impact::vector3{0, 0, 0};
         m.path.start = m.t;
+        f.placed = false;
         f.start = typename plannedCloud::state(p);
     }
     if (p.stepFraction() < 1)
@@ -639,6 +645,7 @@ bool Foam::EventDrivenCollisions<CloudType>::displace(flight& f, mission& m)
             return false;
         }
         p.face() = -1;
+        f.placed = false;
     }
     m.way = p.position();
     return true;
@@ -723,6 +730,7 @@ Foam::EventDrivenCollisions<CloudType>::EventDrivenCollisions
     ),
     step_(domain(dict, cloud.mesh()), duration_, maxEvents),
     planned_(cloud),
+    bounds_(cloud.mesh().bounds()),
     directions_(vector::one),
     nParcels_(-1),
     td_(nullptr),

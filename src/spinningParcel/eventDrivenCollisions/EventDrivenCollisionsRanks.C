@@ -459,7 +459,7 @@ void Foam::EventDrivenCollisions<CloudType>::planAll()
 {
     const label rank = Pstream::myProcNo();
     courses_.clear();
-    courses_.reserve(flights_.size());
+    grow(courses_, flights_.size());
     legs_.clear();
     for (std::size_t i = 0; i < flights_.size(); ++i)
     {
