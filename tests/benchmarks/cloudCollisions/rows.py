@@ -60,7 +60,7 @@ SIDES = ("xMin", "xMax", "yMin", "yMax")
 def measured(*args):
     """CPU seconds per parcel and step, pairs per parcel and step, peak MiB:
     without the first step, which fills the domain"""
-    steps = 20 if args[0] < 500000 else 5
+    steps = max(5, min(200, 2000000//args[0]))
     first, all_ = run(1, *args), run(1 + steps, *args)
     cpu, count, pairs = (b - a for a, b in zip(first, all_[:3]))
     return cpu/count, pairs/count, all_[3]

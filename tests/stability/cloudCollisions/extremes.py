@@ -9,8 +9,8 @@ import sys
 
 import numpy as np
 
-from caseTools import (box, complaint, must, run, write_block, write_case,
-                       write_field, write_foam)
+from caseTools import (box, complaint, decompose, must, run, write_block,
+                       write_case, write_field, write_foam)
 
 SIZE = 1e-3
 SIDES = ("xMin", "xMax", "yMin", "yMax")
@@ -67,7 +67,7 @@ def of_run(log, label):
 
 
 def row(name, expected, right, injectors, steps, dt, pairs=ELASTIC,
-        walls=ELASTIC, forces="", g=(0, 0), limit=300):
+        walls=ELASTIC, forces="", g=(0, 0), limit=300, ranks=1):
     """One case. right(n, E, events, lost, overlap, log): energy of each step,
     what happened in the run."""
     shutil.rmtree("case", ignore_errors=True)
@@ -88,7 +88,14 @@ def row(name, expected, right, injectors, steps, dt, pairs=ELASTIC,
                f" ({g[0]} {g[1]} 0);", "uniformDimensionedVectorField")
     write_foam("case", "constant/sandProperties", CLOUD.format(
         pairs=pairs, walls=walls, forces=forces, injectors=injectors))
-    status, log = run("case", "timeout", str(limit), "rhoCentralParcelFoam")
+    command = ["timeout", str(limit)]
+    if ranks > 1:
+        decompose("case", (ranks, 1, 1))
+        command += ["mpirun", "--oversubscribe", "-np", str(ranks),
+                    "rhoCentralParcelFoam", "-parallel"]
+    else:
+        command += ["rhoCentralParcelFoam"]
+    status, log = run("case", *command)
     good, seen = False, f"exit status {status}: {complaint(log)[:100]}"
     if status == 0:
         n = int(number(log, "Current number of parcels")[-1])
@@ -176,6 +183,11 @@ case("120 grains with e = 0.9 in a corner, 1e6 m/s2",
      "they come to rest, overlap below 1e-9 d", piled(120, 2),
      pile(12, 10, 1e-5, 1e-5, (0., 0.)), 60, 1e-6,
      "restitution 0.9; friction 0.2;", LAZY, "gravity;", (-1e6, -1e6))
+case("120 grains with e = 0.9 on a wall, 1e6 m/s2, across two ranks",
+     "they come to rest, overlap below 1e-9 d", piled(120, 2),
+     pile(12, 10, 4.6e-4, 1e-5, (0., 0.)), 60, 1e-6,
+     "restitution 0.9; friction 0.2;", LAZY, "gravity;", (1e5, -1e6),
+     ranks=2)
 case("sand at the volume fraction 1e-3 against a wall, drag",
      "all that was injected is there, energy is lost in pairs, overlap below"
      " 1e-9 d",
