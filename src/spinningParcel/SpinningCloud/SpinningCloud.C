@@ -7,6 +7,8 @@
 #include "HendersonDragForce.H"
 #include "MagnusForce.H"
 #include "NoDispersion.H"
+#include "foamCompat.H"
+#include "withheldOutput.H"
 
 #include <stdexcept>
 
@@ -513,9 +515,20 @@ void Foam::SpinningCloud<CloudType>::motion
 template<class CloudType>
 void Foam::SpinningCloud<CloudType>::info()
 {
+    if (withheldOutput::now())
+    {
+        // What counts the steps, without the sums over all parcels
+        Ostream& os = Info;
+        this->patchInteraction().info(FOAM_COMPAT_INFO_PASS);
+        if (collisions_.valid())
+        {
+            collisions_->info();
+        }
+        return;
+    }
+
     CloudType::info();
 
-    // Communication in every step, whether or not it is printed
     FixedList<scalar, 10> sums;
     sums[0] = rotationalEnergyOfSystem();
     sums[1] = counts_.magnus;

@@ -152,7 +152,7 @@ template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::collect()
 {
     flights_.clear();
-    flights_.reserve(cloud_.size());
+    grow(flights_, cloud_.size());
     label n = 0;
     for (parcelType& p : cloud_)
     {
@@ -162,7 +162,10 @@ void Foam::EventDrivenCollisions<CloudType>::collect()
         {
             checkNumber(p);
             flights_.emplace_back(p);
-            flights_.back().injected = injected;
+            flight& f = flights_.back();
+            f.injected = injected;
+            f.x = p.position();
+            f.placed = true;
         }
         else if (!p.move(cloud_, *td_, deltaT_))
         {
@@ -175,18 +178,12 @@ void Foam::EventDrivenCollisions<CloudType>::collect()
 template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::admitInjected()
 {
-    // Others matter near new parcels only, or at the ends of a period
-    boundBox near;
     scalar largest = 0;
     bool any = false;
     for (const flight& f : flights_)
     {
         largest = max(largest, f.parcel->d());
-        if (f.injected)
-        {
-            any = true;
-            near.add(f.parcel->position());
-        }
+        any = any || f.injected;
     }
     reduce(any, orOp<bool>());
     if (!any)
@@ -194,11 +191,19 @@ void Foam::EventDrivenCollisions<CloudType>::admitInjected()
         return;
     }
     reduce(largest, maxOp<scalar>());
-    near.reduce();
-    const vector margin(2*largest*vector::one);
-    near = boundBox(near.min() - margin, near.max() + margin);
+
+    // Others matter near new parcels only, or at the ends of a period
     const bool* periodic = step_.grid().domain().periodic;
     const bool all = periodic[0] || periodic[1] || periodic[2];
+    vicinity ofNew(bounds_, directions_);
+    for (const flight& f : flights_)
+    {
+        if (f.injected)
+        {
+            ofNew.add(f.x, 2*largest);
+        }
+    }
+    ofNew.reduce();
 
     struct member
     {
@@ -225,8 +230,8 @@ void Foam::EventDrivenCollisions<CloudType>::admitInjected()
                 continue;
             }
             const parcelType& p = *f.parcel;
-            const point x = p.position();
-            if (f.injected || all || near.contains(x))
+            const point x = f.placed ? f.x : p.position();
+            if (f.injected || all || ofNew.near(x))
             {
                 members.push_back
                 ({
@@ -380,7 +385,13 @@ bool Foam::EventDrivenCollisions<CloudType>::proceed(flight& f, mission& m)
         case ARRIVE: return arrive(f, m);
         case REST: return rest(f, m);
         case END_REST: return endRest(f, m);
-        case HOLD: return hold(f, m);
+        case HOLD:
+            if (mag(f.parcel->U()) <= m.slow)
+            {
+                return hold(f, m);
+            }
+            m.kind = m.free;
+            return m.kind == REST ? rest(f, m) : plan(f, m);
         case DISPLACE: return displace(f, m);
     }
     return true;
@@ -399,10 +410,11 @@ bool Foam::EventDrivenCollisions<CloudType>::plan(flight& f, mission& m)
         m.resting = false;
         m.boundary = false;
         m.end = deltaT_;
-        m.path.x = toCore(solved(p.position()));
+        m.path.x = toCore(solved(f.placed ? f.x : p.position()));
         m.path.v = toCore(solved(p.U()));
         m.path.a = impact::vector3{0, 0, 0};
         m.path.start = m.t;
+        f.placed = false;
         f.start = typename plannedCloud::state(p);
     }
     if (p.stepFraction() < 1)
@@ -434,6 +446,11 @@ bool Foam::EventDrivenCollisions<CloudType>::plan(flight& f, mission& m)
         {
             m.path.a = toCore(2/sqr(h)*bend);
         }
+        if (h > 1e-9*deltaT_)
+        {
+            // The bend of a short way is the error of its ends
+            m.pull = mag(solved(p.U()) - fromCore(m.path.v))/h;
+        }
     }
     return true;
 }
@@ -455,7 +472,7 @@ template<class CloudType>
 bool Foam::EventDrivenCollisions<CloudType>::rest(flight& f, mission& m)
 {
     parcelType& p = *f.parcel;
-    const scalar pause = min(0.1*deltaT_, deltaT_ - m.t);
+    const scalar pause = min(restShare*deltaT_, deltaT_ - m.t);
     const bool home = !m.begun;
     if (home)
     {
@@ -526,7 +543,12 @@ bool Foam::EventDrivenCollisions<CloudType>::endRest(flight& f, mission& m)
         td_->keepParticle = true;
         p.face() = -1;
         p.setCellValues(cloud_, *td_);
+        const vector before = p.U();
         p.calc(cloud_, *td_, pause);
+        if (pause > 1e-9*deltaT_)
+        {
+            m.pull = mag(solved(p.U() - before))/pause;
+        }
         p.age() += pause;
         cloud_.functions().postMove
             (p, pause, m.way, td_->keepParticle);
@@ -572,23 +594,33 @@ bool Foam::EventDrivenCollisions<CloudType>::arrive(flight& f, mission& m)
         }
         m.settling = true;
     }
-    if (!hit)
+
+    // From where the integration leads to the parabola, along a wall if there
+    // is one: another parcel is where the parabola does not lead
+    const auto away = [&]()
     {
-        // From where the integration leads to the parabola
-        p.track
-        (
-            solved(fromCore(m.path.position(m.t)) - p.position()),
-            0
-        );
-        if (atPass(p) && m.hops < maxHops)
+        return solved(fromCore(m.path.position(m.t)) - p.position());
+    };
+    p.track(away(), 0);
+    if (p.onBoundaryFace() && !atPass(p))
+    {
+        vector n = p.mesh().faceAreas()[p.face()];
+        n /= mag(n);
+        vector way = away();
+        way -= max(way & n, scalar(0))*n;
+        if (mag(way) > 0)
         {
-            return false;
+            p.track(way - 1e-6*mag(way)*n, 0);
         }
-        hit =
-            p.onBoundaryFace()
-         && !atPass(p)
-         && (p.U() & p.mesh().faceAreas()[p.face()]) > 0;
     }
+    if (atPass(p) && m.hops < maxHops)
+    {
+        return false;
+    }
+    hit =
+        p.onBoundaryFace()
+     && !atPass(p)
+     && (p.U() & p.mesh().faceAreas()[p.face()]) > 0;
     p.stepFraction() = m.t < deltaT_ ? m.t/deltaT_ : 1;
     m.boundary = hit;
     if (hit)
@@ -613,6 +645,7 @@ bool Foam::EventDrivenCollisions<CloudType>::displace(flight& f, mission& m)
             return false;
         }
         p.face() = -1;
+        f.placed = false;
     }
     m.way = p.position();
     return true;
@@ -697,6 +730,7 @@ Foam::EventDrivenCollisions<CloudType>::EventDrivenCollisions
     ),
     step_(domain(dict, cloud.mesh()), duration_, maxEvents),
     planned_(cloud),
+    bounds_(cloud.mesh().bounds()),
     directions_(vector::one),
     nParcels_(-1),
     td_(nullptr),
@@ -838,7 +872,7 @@ void Foam::EventDrivenCollisions<CloudType>::collide
             adoptPlan(c, then);
             return;
         }
-        mission m(next(c, resting ? REST : PLAN, resting), t);
+        mission m = next(c, resting ? REST : PLAN, resting, t, pull);
         m.U = then.U;
         m.omega = then.omega;
         m.setU = true;
@@ -859,7 +893,10 @@ void Foam::EventDrivenCollisions<CloudType>::collide
         const double approach = impact::dot(n, first.v - second.v);
         resting =
             a.held || b.held
-         || duration_.rests(a.recent, t) || duration_.rests(b.recent, t);
+         || (
+                approach <= atRest(pull)
+             && (duration_.rests(a.recent, t) || duration_.rests(b.recent, t))
+            );
         const bool elastic = !resting
          && (
                 duration_.elastic(a.recent, t, approach, pull)
@@ -867,11 +904,13 @@ void Foam::EventDrivenCollisions<CloudType>::collide
             );
         const impact::pairCollision out =
             (resting ? restingLaw_ : law_).collide(first, second, n, elastic);
+
+        // Forces that press may not have made a speed yet
+        const bool slow = duration_.slow(approach, pull);
+        duration_.count(a.recent, t, slow);
+        duration_.count(b.recent, t, slow);
         if (approach > 0)
         {
-            const bool slow = duration_.slow(approach, pull);
-            duration_.count(a.recent, t, slow);
-            duration_.count(b.recent, t, slow);
             ++report_.pairEvents;
             report_.rankPairs += a.rank != b.rank;
             report_.restitutionLoss += out.restitutionLoss;
@@ -903,7 +942,8 @@ bool Foam::EventDrivenCollisions<CloudType>::hitWall
         mission m(END_REST, t);
         m.path = c.path;
         fly(c, m);
-        mission then(next(c, PLAN, true), t);
+        c.pull = m.pull >= 0 ? m.pull : c.pull;
+        mission then = next(c, PLAN, true, t, c.pull);
         fly(c, then);
         adoptPlan(c, then);
         return true;
@@ -916,7 +956,7 @@ bool Foam::EventDrivenCollisions<CloudType>::hitWall
         c.hits = 0;
     }
     const bool rests = ++c.hits > 8;
-    mission m(next(c, rests ? REST : PLAN, rests), t);
+    mission m = next(c, rests ? REST : PLAN, rests, t, c.pull);
     const leg last = commitLegs(c, m.keep);
     c.rank = last.rank;
     c.slot = last.slot;

@@ -8,6 +8,7 @@
 #include "processorCyclicPolyPatch.H"
 #include "UIPstream.H"
 #include "UOPstream.H"
+#include "wallPolyPatch.H"
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -186,7 +187,7 @@ Foam::EventDrivenCollisions<CloudType>::answer(const request& r)
     flight& f = flights_[out.slot];
     parcelType& p = *f.parcel;
     bool done = true;
-    bool take = takesParcel(out.m);
+    bool take = false;
     switch (r.kind)
     {
         case MOVE:
@@ -233,7 +234,16 @@ Foam::EventDrivenCollisions<CloudType>::answer(const request& r)
             td_->switchProcessor = false;
             if (f.keep)
             {
+                // What a wall model lifts a parcel off the face by could
+                // press it into another
+                const bool wall = isA<wallPolyPatch>
+                    (cloud_.mesh().boundaryMesh()[p.patch()]);
+                const typename parcelType::place here(p);
                 p.hitFace(p.U(), cloud_, *td_);
+                if (wall && td_->keepParticle)
+                {
+                    here.restore(p);
+                }
             }
             if (!td_->keepParticle)
             {
@@ -260,7 +270,7 @@ Foam::EventDrivenCollisions<CloudType>::answer(const request& r)
 
     if (!done)
     {
-        pack(f, out, take);
+        pack(f, out, take || takesParcel(out.m));
         if (f.parcel && out.m.kind == REST)
         {
             f.start.restore(*f.parcel);
@@ -398,16 +408,16 @@ void Foam::EventDrivenCollisions<CloudType>::adoptPlan
     c.end = m.end;
     c.boundary = m.boundary;
     c.resting = m.resting;
-    if (m.kind == HOLD)
+    c.held = m.kind == HOLD;
+    if (c.held)
     {
         ++report_.held;
         report_.heldEnergy += m.energy;
         return;
     }
-    if (!m.resting && !m.boundary)
+    if (m.pull >= 0)
     {
-        // A short way to a wall is too coarse to see a force by
-        c.pull = impact::mag(m.path.a);
+        c.pull = m.pull;
     }
 }
 
@@ -449,7 +459,7 @@ void Foam::EventDrivenCollisions<CloudType>::planAll()
 {
     const label rank = Pstream::myProcNo();
     courses_.clear();
-    courses_.reserve(flights_.size());
+    grow(courses_, flights_.size());
     legs_.clear();
     for (std::size_t i = 0; i < flights_.size(); ++i)
     {

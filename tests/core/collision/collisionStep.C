@@ -48,6 +48,7 @@ struct balls
     collisionDomain domain;
     pairLaw law = pairLaw(0.8, 0.3, false);
     bool floor = false;
+    int images = 2;                 // on each side, that brute force sees
     double lid = never;
     std::vector<happening> happenings;
 
@@ -192,7 +193,7 @@ struct balls
         int reach[3];
         for (int k = 0; k < 3; ++k)
         {
-            reach[k] = domain.periodic[k] ? 2 : 0;
+            reach[k] = domain.periodic[k] ? images : 0;
         }
         for (int x = -reach[0]; x <= reach[0]; ++x)
         {
@@ -298,10 +299,18 @@ void compare
     int periodic,
     bool walls,
     double end,
-    std::size_t atLeast
+    std::size_t atLeast,
+    double speed = 1
 )
 {
     balls<Path> gas(200, seed, polydisperse, twoD, twoD ? 11 : 5);
+    for (auto& b : gas.all)
+    {
+        b.r /= speed;
+        b.path.v = speed*b.path.v;
+        gas.pull(b.path);
+    }
+    gas.images = speed > 1 ? 5 : 2;
     for (int k = 0; k < 3; ++k)
     {
         gas.domain.periodic[k] = (periodic >> k) & 1;
@@ -322,6 +331,10 @@ void compare
     reference.bruteForce(end);
     reference.finish(end);
 
+    if (speed > 1)
+    {
+        EXPECT_GT(counts.slices, 1u);
+    }
     ASSERT_GE(gas.happenings.size(), atLeast);
     ASSERT_EQ(gas.happenings.size(), reference.happenings.size());
     EXPECT_EQ(counts.pairEvents + counts.wallEvents, gas.happenings.size());
@@ -371,6 +384,17 @@ TEST(collisionStep, missesNoEventOfParabolicPaths)
     compare<parabolicPath>(3, true, false, 3, false, 1, 20);
     compare<parabolicPath>(4, false, true, 3, false, 1, 60);
     compare<parabolicPath>(5, false, false, 3, true, 1, 60);
+}
+
+
+TEST(collisionStep, missesNoEventOfACrowdSearchedInSlices)
+{
+    compare<straightPath>(1, false, true, 3, false, 0.4, 30, 10);
+    compare<straightPath>(2, true, true, 0, false, 0.8, 10, 10);
+    compare<straightPath>(3, false, false, 3, true, 0.4, 80, 10);
+    compare<parabolicPath>(4, false, true, 3, false, 0.4, 30, 10);
+    compare<parabolicPath>(5, false, false, 7, false, 0.5, 5, 10);
+    compare<parabolicPath>(6, true, false, 3, true, 0.4, 60, 10);
 }
 
 

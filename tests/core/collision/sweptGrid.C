@@ -235,7 +235,7 @@ TEST(eventQueue, givesEventsBackInTheirOrder)
         counterRandom rnd(32, run);
         const int n = run % 4 == 0 ? 5 : 3000;
         const double end = run % 3 == 0 ? 1e-300 : run % 3 == 1 ? 1 : 1e5;
-        queue.reset(end, run % 2 ? n : 16);
+        queue.reset(0, end, run % 2 ? n : 16);
 
         // Most at the start, the rest while others are taken, some at the
         // same instant, some at the end

@@ -9,8 +9,8 @@ import sys
 
 import numpy as np
 
-from caseTools import (box, complaint, must, run, write_block, write_case,
-                       write_field, write_foam)
+from caseTools import (box, complaint, decompose, must, run, write_block,
+                       write_case, write_field, write_foam)
 
 SIZE = 1e-3
 SIDES = ("xMin", "xMax", "yMin", "yMax")
@@ -67,7 +67,7 @@ def of_run(log, label):
 
 
 def row(name, expected, right, injectors, steps, dt, pairs=ELASTIC,
-        walls=ELASTIC, forces="", g=(0, 0), limit=300):
+        walls=ELASTIC, forces="", g=(0, 0), limit=300, ranks=1):
     """One case. right(n, E, events, lost, overlap, log): energy of each step,
     what happened in the run."""
     shutil.rmtree("case", ignore_errors=True)
@@ -88,7 +88,14 @@ def row(name, expected, right, injectors, steps, dt, pairs=ELASTIC,
                f" ({g[0]} {g[1]} 0);", "uniformDimensionedVectorField")
     write_foam("case", "constant/sandProperties", CLOUD.format(
         pairs=pairs, walls=walls, forces=forces, injectors=injectors))
-    status, log = run("case", "timeout", str(limit), "rhoCentralParcelFoam")
+    command = ["timeout", str(limit)]
+    if ranks > 1:
+        decompose("case", (ranks, 1, 1))
+        command += ["mpirun", "--oversubscribe", "-np", str(ranks),
+                    "rhoCentralParcelFoam", "-parallel"]
+    else:
+        command += ["rhoCentralParcelFoam"]
+    status, log = run("case", *command)
     good, seen = False, f"exit status {status}: {complaint(log)[:100]}"
     if status == 0:
         n = int(number(log, "Current number of parcels")[-1])
@@ -142,14 +149,14 @@ for speed in (1e-9, 1e5):
          2, 1e-5/speed)
 
 
-def piled(n, bound, deepest):
+def piled(n, bound, d=1e-5):
     """All parcels are there, and at rest but for what the forces of two steps
-    make of their speed: bound. deepest: overlap allowed [m]."""
+    make of their speed: bound. Overlap below 1e-9 d."""
     def right(count, E, events, lost, overlap, log):
         mass = 2500*math.pi/6*1e-15
         return (count == n and events[0] > n and lost > 0
                 and E[-10:].max() < 0.5*n*mass*bound**2
-                and overlap < deepest)
+                and overlap < 1e-9*d)
     return right
 
 
@@ -160,27 +167,34 @@ def pile(n, rows, x, y, U):
 
 
 case("24 grains with e = 0.1 pressed into a corner by 1e6 m/s2",
-     "they come to rest, overlap below 1e-6 d", piled(24, 2, 1e-11),
-     pile(6, 4, 1e-5, 1e-5, (0., 0.)), 60, 1e-6, LAZY, LAZY, "gravity;", (-1e6, -1e6))
+     "they come to rest, overlap below 1e-9 d", piled(24, 2),
+     pile(6, 4, 1e-5, 1e-5, (0., 0.)), 60, 1e-6, LAZY, LAZY, "gravity;",
+     (-1e6, -1e6))
 case("24 grains with e = 0 pressed into a corner by 1e6 m/s2",
-     "they come to rest, overlap below 5 % of d", piled(24, 2, 5e-7),
-     pile(6, 4, 1e-5, 1e-5, (0., 0.)), 60, 1e-6, "restitution 0; friction 0.2;", "restitution 0; friction 0.2;",
+     "they come to rest, overlap below 1e-9 d", piled(24, 2),
+     pile(6, 4, 1e-5, 1e-5, (0., 0.)), 60, 1e-6,
+     "restitution 0; friction 0.2;", "restitution 0; friction 0.2;",
      "gravity;", (-1e6, -1e6))
 case("three layers of 40 grains with e = 0.1 on a wall, 1e6 m/s2",
-     "they come to rest, overlap below 1e-6 d", piled(120, 2, 1e-11),
+     "they come to rest, overlap below 1e-9 d", piled(120, 2),
      pile(40, 3, 2e-4, 1e-5, (0., 0.)),
      60, 1e-6, LAZY, LAZY, "gravity;", (0, -1e6))
 case("120 grains with e = 0.9 in a corner, 1e6 m/s2",
-     "they come to rest, overlap below 1e-6 d", piled(120, 2, 1e-11),
+     "they come to rest, overlap below 1e-9 d", piled(120, 2),
      pile(12, 10, 1e-5, 1e-5, (0., 0.)), 60, 1e-6,
      "restitution 0.9; friction 0.2;", LAZY, "gravity;", (-1e6, -1e6))
+case("120 grains with e = 0.9 on a wall, 1e6 m/s2, across two ranks",
+     "they come to rest, overlap below 1e-9 d", piled(120, 2),
+     pile(12, 10, 4.6e-4, 1e-5, (0., 0.)), 60, 1e-6,
+     "restitution 0.9; friction 0.2;", LAZY, "gravity;", (1e5, -1e6),
+     ranks=2)
 case("sand at the volume fraction 1e-3 against a wall, drag",
      "all that was injected is there, energy is lost in pairs, overlap below"
-     " 2e-5 d",
+     " 1e-9 d",
      lambda n, E, events, lost, overlap, log:
      n == sum(int(v) for v in re.findall(
          r"added\s+= (\d+)", log)[-1:]) and n > 100
-     and events[0] > 50 and events[1] > 50 and lost > 0 and overlap < 1e-10,
+     and events[0] > 50 and events[1] > 50 and lost > 0 and overlap < 5e-15,
      "stream { type crossSectionInjection; volumeFraction 1e-3;"
      " diameter 5e-6; U0 (300 0 0); patches (xMin); front (5e-4 0 0); }",
      100, 2e-7, "restitution 0.5; friction 0.2;", LAZY, "hendersonDrag;")

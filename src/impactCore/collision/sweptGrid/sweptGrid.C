@@ -177,10 +177,11 @@ void impact::sweptGrid::makeLevels()
         }
     }
 
-    // Nineteen of twenty fit the finest level
+    // Half of them fit the finest level: slow particles may be crowded where
+    // fast ones are not
     std::size_t smaller = 0;
     int bin = 0;
-    while (bin < nBins - 1 && 20*(smaller + histogram_[bin]) < 19*n)
+    while (bin < nBins - 1 && 2*(smaller + histogram_[bin]) < n)
     {
         smaller += histogram_[bin++];
     }
