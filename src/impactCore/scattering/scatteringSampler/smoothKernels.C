@@ -590,7 +590,7 @@ impactInline int cull
     smoothLanes& __restrict__ l
 )
 {
-    const double ifSure = decide ? 0 : 1;
+    const int ifSure = decide ? 0 : 1;
     int surely = 0;
     const double R = b.radius;
     const double offset = b.offset;
@@ -624,10 +624,10 @@ impactInline int cull
         const bool clear = box & (R - depth > 0.5*bend*w2*T*T + 1e-9*R);
         const bool gone = (Vy > 0)
           & ((Vy*Vy >= offset*offset*w2) | (2*rise*Vy >= needed) | clear);
-        const bool sinks = !(Vy > 0);
-        const double stays = gone ? 0. : 1.;
+        const int sinks = Vy > 0 ? 0 : 1;
+        const int stays = gone ? 0 : 1;
         l.mayReturn[i] = sinks ? ifSure : stays;
-        surely += sinks ? 1 : 0;
+        surely += sinks;
     }
     return decide ? surely : 0;
 }
@@ -1226,8 +1226,11 @@ impactInline void land
         if (decide)
         {
             const bool pierced = seems & (g < -10*tolerance);
-            h.outcome[i] = hopOutcome::gone*(gone ? 1. : 0.)
-              + hopOutcome::strikes*(pierced ? 1. : 0.);
+            h.outcome[i] = int
+            (
+                hopOutcome::gone*(gone ? 1. : 0.)
+              + hopOutcome::strikes*(pierced ? 1. : 0.)
+            );
         }
         else
         {
@@ -1253,10 +1256,13 @@ impactInline void land
             // What else is left is looked at half as far
             const bool more = h.attempts[i] < manyAttempts;
             const bool again = !(strikes | gone | still);
-            h.outcome[i] = hopOutcome::gone*(gone ? 1. : 0.)
+            h.outcome[i] = int
+            (
+                hopOutcome::gone*(gone ? 1. : 0.)
               + hopOutcome::strikes*(strikes ? 1. : 0.)
               + hopOutcome::again*(again & more ? 1. : 0.)
-              + hopOutcome::clear*(still & more ? 1. : 0.);
+              + hopOutcome::clear*(still & more ? 1. : 0.)
+            );
             h.attempts[i] += 1;
             h.seems[i] = nearly ? 1. : 0.;
             h.t[i] = nearly ? end : 0.5*t;

@@ -160,7 +160,7 @@ void impact::scatteringSampler::sampleSmooth
         for (int i = 0; i < m; ++i)
         {
             place[k] = i;
-            k += lanes.mayReturn[i] != 0 ? 1 : 0;
+            k += lanes.mayReturn[i];
         }
         if (hops_)
         {
@@ -227,6 +227,15 @@ void impact::scatteringSampler::sampleSmooth
         launch(again, m);
     };
 
+    // Hops that the steps of the flights are to follow
+    auto leaveToSteps = [&](const smoothHops& h, const int* place, int m)
+    {
+        copyColumns<motionColumns>(h.ex[0], place, m, f.ex[0] + inFlight);
+        std::fill_n(f.launched + inFlight, m, step);
+        smoothLaunch(inFlight, inFlight + m, smooth_, f);
+        inFlight += m;
+    };
+
     // All hops to their ends, as far as those are found at once, and the
     // impacts there
     auto hop = [&]
@@ -237,33 +246,37 @@ void impact::scatteringSampler::sampleSmooth
         const int n = hopping;
         const int whole = (n + 7) & ~7;
         smoothGuess(guessed, whole, smooth_, decide, hops);
-        decide ? smoothDecide(whole, smooth_, hops)
-          : smoothLand(whole, smooth_, hops, landed);
-        int open[smoothRoom + 1], hits[smoothRoom + 1];
-        int stay[smoothRoom + 1], clear[smoothRoom + 1];
-        int m = 0, struck = 0, stays = 0, clears = 0;
-        for (int i = 0; i < n; ++i)
-        {
-            const int outcome = int(hops.outcome[i]);
-            open[m] = hits[struck] = stay[stays] = clear[clears] = i;
-            m += outcome == int(hopOutcome::open) ? 1 : 0;
-            struck += outcome == int(hopOutcome::strikes) ? 1 : 0;
-            stays += outcome == int(hopOutcome::again) ? 1 : 0;
-            clears += outcome == int(hopOutcome::clear) ? 1 : 0;
-        }
-
-        // Those that the steps of the flights are to follow
-        copyColumns<motionColumns>(hops.ex[0], open, m, f.ex[0] + inFlight);
-        std::fill_n(f.launched + inFlight, m, step);
-        smoothLaunch(inFlight, inFlight + m, smooth_, f);
-        inFlight += m;
-
+        int open[smoothRoom + 1];
+        int m = 0, struck = 0;
         if (decide)
         {
+            smoothDecide(whole, smooth_, hops);
+            for (int i = 0; i < n; ++i)
+            {
+                open[m] = i;
+                m += hops.outcome[i] == hopOutcome::open ? 1 : 0;
+                struck += hops.outcome[i] == hopOutcome::strikes ? 1 : 0;
+            }
             total.second += struck;
             hopping = guessed = 0;
+            leaveToSteps(hops, open, m);
             return;
         }
+
+        smoothLand(whole, smooth_, hops, landed);
+        int hits[smoothRoom + 1];
+        int stay[smoothRoom + 1], clear[smoothRoom + 1];
+        int stays = 0, clears = 0;
+        for (int i = 0; i < n; ++i)
+        {
+            const int outcome = hops.outcome[i];
+            open[m] = hits[struck] = stay[stays] = clear[clears] = i;
+            m += outcome == hopOutcome::open ? 1 : 0;
+            struck += outcome == hopOutcome::strikes ? 1 : 0;
+            stays += outcome == hopOutcome::again ? 1 : 0;
+            clears += outcome == hopOutcome::clear ? 1 : 0;
+        }
+        leaveToSteps(hops, open, m);
         copyColumns<motionColumns>(hops.ex[0], hits, struck, again.ex[0]);
         copyColumns<3>(landed.r[0], hits, struck, again.r[0]);
         copyColumns<hopColumns>(hops.ex[0], stay, stays, later.ex[0]);
