@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace
 {
@@ -153,20 +154,12 @@ class polygonShadow
 
 public:
 
-    static constexpr bool closed = false;
-
     explicit polygonShadow(const convexBody& body)
     :
         body_(body),
         w_(scratch::ofThread())
     {
         w_.reserve(body.paddedVertices().size()/3);
-    }
-
-    //- At the start of a flight
-    void begin(const bodyState& state, const freeRotation&)
-    {
-        turn(state.rotation);
     }
 
     //- Orientation of the body
@@ -344,18 +337,10 @@ class boxShadow
 
 public:
 
-    static constexpr bool closed = false;
-
     explicit boxShadow(const convexBody& body)
     :
         body_(body)
     {}
-
-    //- At the start of a flight
-    void begin(const bodyState& state, const freeRotation&)
-    {
-        turn(state.rotation);
-    }
 
     //- Orientation of the body
     void turn(const rotationState& r)
@@ -553,18 +538,10 @@ class ellipseShadow
 
 public:
 
-    static constexpr bool closed = false;
-
     explicit ellipseShadow(const convexBody& body)
     :
         body_(body)
     {}
-
-    //- At the start of a flight
-    void begin(const bodyState& state, const freeRotation&)
-    {
-        turn(state.rotation);
-    }
 
     //- Orientation of the body
     void turn(const rotationState& r)
@@ -783,8 +760,6 @@ class flatSpheroid
 
 public:
 
-    static constexpr bool closed = true;
-
     //- Does it describe these?
     static bool holds(const convexBody& body, const relief& wall)
     {
@@ -890,11 +865,19 @@ impact::contactPoint impact::wallVisit::search
     }
 
     const bool turning = !rotation.atRest() && !body_->isSphere();
+    constexpr bool closed = std::is_same_v<Shadow, flatSpheroid>;
     Shadow shadow(*body_);
-    shadow.begin(state, rotation);
+    if constexpr (closed)
+    {
+        shadow.begin(state, rotation);
+    }
+    else
+    {
+        shadow.turn(state.rotation);
+    }
     auto evaluate = [&](double t, double& rate)
     {
-        if constexpr (Shadow::closed)
+        if constexpr (closed)
         {
             return shadow.find(t, rate);
         }
@@ -925,7 +908,7 @@ impact::contactPoint impact::wallVisit::search
     // Of the last evaluation
     auto contact = [&](double t, const lowest& l)
     {
-        if constexpr (Shadow::closed)
+        if constexpr (closed)
         {
             rotationState now = state.rotation;
             if (turning)
