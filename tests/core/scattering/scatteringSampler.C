@@ -337,9 +337,10 @@ TEST(scatteringSampler, followsManyBodiesAsTheGeneralSearchFollowsOne)
         const scatteringSampler sampler(s);
         std::vector<double> bins(r.nBins());
         double impacts = 0, second = 0, into = 0, pulling = 0;
-        double rotational = 0;
+        double rotational = 0, rolling = 0;
         for (const visitResult& one : sampler.visits(0, n))
         {
+            rolling += one.microImpacts > 20 ? one.pulling : 0;
             impacts += one.impacts;
             second += one.second;
             into += one.intoWall;
@@ -363,7 +364,13 @@ TEST(scatteringSampler, followsManyBodiesAsTheGeneralSearchFollowsOne)
         EXPECT_NEAR(r.count(S::secondImpact), second, 2) << "variant " << k;
         EXPECT_NEAR(r.count(S::intoWall), into, 1) << "variant " << k;
         EXPECT_NEAR(r.count(S::impacts), impacts, 4) << "variant " << k;
-        EXPECT_NEAR(r.count(S::pulling), pulling, 4) << "variant " << k;
+
+        // A body that rolls makes some 200 impacts, each of which multiplies
+        // the round-off of those before: the pulling ones among them differ by
+        // up to 6 % from one order of the same operations to another, while
+        // all large impacts are the same
+        EXPECT_NEAR(r.count(S::pulling), pulling, 4 + 0.1*rolling)
+            << "variant " << k;
         EXPECT_NEAR
         (
             r.mean(S::rotational)*n*s.speed*s.speed, rotational,

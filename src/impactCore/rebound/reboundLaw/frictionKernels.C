@@ -33,12 +33,20 @@ struct linearPart
 //  the term before last is in x0 x_m + y0 y_m, as the linear part, and in
 //  k = 1 and m - 1: all else is summed without waiting for it
 template<int m>
-impactInline void addTerms(const linearPart& q, frictionSeries& c)
+impactInline void addTerms
+(
+    const linearPart& q,
+    const row& last,
+    frictionSeries& c
+)
 {
     constexpr double unit = 1./m;
     constexpr double once = m == 2 ? 0.5 : 1;
     row* rows = reinterpret_cast<row*>(c.z);
-    const double* z = c.z[m - 1];
+    typedef long long places __attribute__((vector_size(sizeof(row))));
+    const row zx = __builtin_shuffle(last, places{0, 0, 0, 0});
+    const row zy = __builtin_shuffle(last, places{1, 1, 1, 1});
+    const row zs = __builtin_shuffle(last, places{2, 2, 2, 2});
     const row bySlip =
         unit*q.s - row{0, 0, once*q.first[2], 0};
     const row byX = unit*q.x + row{0, 0, once*q.first[0], 0};
@@ -56,19 +64,20 @@ impactInline void addTerms(const linearPart& q, frictionSeries& c)
     }
     const double along = sum[0] + sum[1];
     const row earlier = {0, 0, q.inverse*(along - sum[2]), 0};
-    rows[m] = earlier + (bySlip*z[2] + (byX*z[0] + byY*z[1]));
+    const row next = (earlier + bySlip*zs) + (byX*zx + byY*zy);
+    rows[m] = next;
     c.square[m] =
         2
        *(
             along
           + (
-                (c.z[0][0]*c.z[m][0] + c.z[0][1]*c.z[m][1])
-              + once*(c.z[1][0]*z[0] + c.z[1][1]*z[1])
+                (c.z[0][0]*next[0] + c.z[0][1]*next[1])
+              + once*(c.z[1][0]*last[0] + c.z[1][1]*last[1])
             )
         );
     if constexpr (m < frictionOrder)
     {
-        addTerms<m + 1>(q, c);
+        addTerms<m + 1>(q, next, c);
     }
 }
 
@@ -99,7 +108,7 @@ impactKernel void expandFriction
     q.first = q.inverse*one;
     c.square[0] = s*s;
     c.square[1] = 2*(x*one[0] + y*one[1]);
-    addTerms<2>(q, c);
+    addTerms<2>(q, one, c);
 }
 
 
@@ -110,21 +119,34 @@ impactKernel void sumFriction
     double* sums
 )
 {
+    // Even and odd orders apart, in powers of the square: half the time is
+    // spent waiting for results of before
+    static_assert(frictionOrder % 2 == 0, "pairs of orders");
     const row* rows = reinterpret_cast<const row*>(c.z);
-    row value = {0, 0, 0, 0}, total = {0, 0, 0, 0};
-    double square = 0;
+    const double tau2 = tau*tau;
+    row value[2] = {}, total[2] = {};
+    double square[2] = {};
     #pragma GCC unroll 4
-    for (int n = frictionOrder; n >= 0; --n)
+    for (int n = frictionOrder; n >= 2; n -= 2)
     {
-        const double unit = tau*inverses.of[n + 1];
-        value = rows[n] + tau*value;
-        total = unit*rows[n] + tau*total;
-        square = unit*c.square[n] + tau*square;
+        #pragma GCC unroll 2
+        for (int odd = 0; odd < 2; ++odd)
+        {
+            const int k = n - odd;
+            value[odd] = rows[k] + tau2*value[odd];
+            total[odd] = inverses.of[k + 1]*rows[k] + tau2*total[odd];
+            square[odd] = inverses.of[k + 1]*c.square[k] + tau2*square[odd];
+        }
     }
-    total[3] = square;
+    value[0] = rows[0] + tau2*value[0];
+    total[0] = rows[0] + tau2*total[0];
+    square[0] = c.square[0] + tau2*square[0];
+    value[0] = value[0] + tau*value[1];
+    total[0] = tau*(total[0] + tau*total[1]);
+    total[0][3] = tau*(square[0] + tau*square[1]);
     row* out = reinterpret_cast<row*>(sums);
-    out[0] = value;
-    out[1] = total;
+    out[0] = value[0];
+    out[1] = total[0];
 }
 
 } // End namespace impact

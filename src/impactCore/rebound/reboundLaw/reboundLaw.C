@@ -59,17 +59,25 @@ double root16(double x)
 }
 
 
-//- Value and derivative of a polynomial
+//- Value and derivative of a polynomial. Even and odd orders apart, in powers
+//  of the square: half the time is spent waiting for results of before
 inline double polynomial(const double* c, double t, double& rate)
 {
-    double value = c[frictionOrder];
-    rate = 0;
-    for (int n = frictionOrder - 1; n >= 0; --n)
+    static_assert(frictionOrder % 2 == 0, "pairs of orders");
+    const double t2 = t*t;
+    double even = c[frictionOrder], odd = c[frictionOrder - 1];
+    double evenRate = 0, oddRate = 0;       // by the square
+    for (int n = frictionOrder - 2; n >= 2; n -= 2)
     {
-        rate = value + t*rate;
-        value = c[n] + t*value;
+        evenRate = even + t2*evenRate;
+        oddRate = odd + t2*oddRate;
+        even = c[n] + t2*even;
+        odd = c[n - 1] + t2*odd;
     }
-    return value;
+    evenRate = even + t2*evenRate;
+    even = c[0] + t2*even;
+    rate = odd + 2*t*(evenRate + t*oddRate);
+    return even + t*odd;
 }
 
 
@@ -290,6 +298,20 @@ struct frictionProcess
         {
             return false;
         }
+
+        // Half the impulse that ends slip of this direction: by then
+        // compression or restitution may be over by far
+        const double half = -0.5*slip/R0;
+        const double then = v + half*now;
+        if
+        (
+            restituting
+          ? half*(v + then) > 2*(compression*(1 - e2) - normalWork(*this))
+          : then > 0
+        )
+        {
+            return false;
+        }
         const bool straight =
             std::fabs(turning) <= -1e-14*R0 && change <= -1e-9*R0;
         for (int i = 0; !straight && i < 8; ++i)
@@ -324,11 +346,11 @@ struct frictionProcess
         const double fT = f2*c - f1*s;
         const double mean = 0.5*(k11 + k22);
         const double kRT = k12*(c*c - s*s) + (k22 - k11)*c*s;
-        const double half = 0.5*(k11 - k22)*(c*c - s*s) + 2*k12*c*s;
+        const double skew = 0.5*(k11 - k22)*(c*c - s*s) + 2*k12*c*s;
         const double T1 = straight ? 0 : change;
         double R[slipEndOrder + 1], T[slipEndOrder + 1];
         double P[slipEndOrder + 1], Z[slipEndOrder + 1];
-        R[0] = fR - mu*(mean + half);
+        R[0] = fR - mu*(mean + skew);
         P[0] = -1/R[0];
         Z[0] = 0.5*P[0];
         double sumP = P[0], sumZ = Z[0];
@@ -350,8 +372,8 @@ struct frictionProcess
             }
             else
             {
-                R[k] = sign*(fR*one - mu*half*two);
-                T[k] = -sign*(fR*one1 - mu*half*two1);
+                R[k] = sign*(fR*one - mu*skew*two);
+                T[k] = -sign*(fR*one1 - mu*skew*two1);
             }
             double sum = 0, sum2 = 0;
             for (int j = 1; j <= k; ++j)

@@ -12,22 +12,33 @@ namespace
 
 using impact::vector3;
 
-//- v turned about the unit vector k
-inline vector3 turn(const vector3& v, const vector3& k, double s, double c)
+//- v turned about a coordinate axis; 3: about none
+template<int axis>
+inline void turn(vector3& v, double s, double c)
 {
-    return c*v + s*cross(k, v) + (1 - c)*dot(k, v)*k;
+    if constexpr (axis < 3)
+    {
+        const int j = axis == 2 ? 0 : axis + 1;
+        const int k = axis == 0 ? 2 : axis - 1;
+        const double x = v[j], y = v[k];
+        v[j] = c*x - s*y;
+        v[k] = s*x + c*y;
+    }
 }
 
 
-//- v turned about a coordinate axis
-inline vector3 turn(const vector3& v, int axis, double s, double c)
+//- The same of all vectors of a state
+template<int axis>
+inline void turn(impact::rotationState& state, double angle)
 {
-    const int j = axis == 2 ? 0 : axis + 1;
-    const int k = axis == 0 ? 2 : axis - 1;
-    vector3 r = v;
-    r[j] = c*v[j] - s*v[k];
-    r[k] = s*v[j] + c*v[k];
-    return r;
+    if constexpr (axis < 3)
+    {
+        double s, c;
+        impact::sinCos(angle, s, c);
+        turn<axis>(state.ex, s, c);
+        turn<axis>(state.ey, s, c);
+        turn<axis>(state.omega, s, c);
+    }
 }
 
 } // End anonymous namespace
@@ -68,6 +79,8 @@ void impact::freeRotation::restart(double t, const rotationState& state)
     axisL_ = (1/magL)*L;
     rateL_ = magL/across;
     rateAxis_ = axis == 3 ? 0 : state.omega[axis]*(1 - J[axis]/across);
+    ex_ = precession(state.ex, axisL_);
+    ey_ = precession(state.ey, axisL_);
 }
 
 
@@ -145,18 +158,17 @@ void impact::freeRotation::evaluate(double t, rotationState& state) const
         state.omega = {unit*v[6], unit*v[7], unit*v[8]};
         return;
     }
+    const double since = t - origin_;
     double s, c;
-    sinCos(-rateL_*(t - origin_), s, c);
-    state.ex = turn(initial_.ex, axisL_, s, c);
-    state.ey = turn(initial_.ey, axisL_, s, c);
+    sinCos(-rateL_*since, s, c);
+    state.ex = ex_.mean + (c*ex_.cosine + s*ex_.sine);
+    state.ey = ey_.mean + (c*ey_.cosine + s*ey_.sine);
     state.omega = initial_.omega;
-    if (axis < 3)
-    {
-        sinCos(-rateAxis_*(t - origin_), s, c);
-        state.ex = turn(state.ex, axis, s, c);
-        state.ey = turn(state.ey, axis, s, c);
-        state.omega = turn(state.omega, axis, s, c);
-    }
+    const double angle = -rateAxis_*since;
+    axis == 0 ? turn<0>(state, angle)
+  : axis == 1 ? turn<1>(state, angle)
+  : axis == 2 ? turn<2>(state, angle)
+  : turn<3>(state, angle);
 }
 
 

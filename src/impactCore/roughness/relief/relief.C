@@ -459,6 +459,8 @@ double impact::reliefPiece::firstReach
     }
     const double xs = x + Vx*start;
     const int step = Vx < 0 ? -1 : 1;
+    const double perX = Vx != 0 ? 1/Vx : 0;
+    const double perY = Vy != 0 ? 1/Vy : 0;
     std::int64_t n = find(Vx < 0 ? xs + wide : xs - wide, hint);
     hint = n;
     double found = infinite;
@@ -471,13 +473,13 @@ double impact::reliefPiece::firstReach
         double leave = infinite;
         if (Vx > 0)
         {
-            enter = std::max(start, (s.x0 - wide - x)/Vx);
-            leave = (s.x1 + wide - x)/Vx;
+            enter = std::max(start, (s.x0 - wide - x)*perX);
+            leave = (s.x1 + wide - x)*perX;
         }
         else if (Vx < 0)
         {
-            enter = std::max(start, (s.x1 + wide - x)/Vx);
-            leave = (s.x0 - wide - x)/Vx;
+            enter = std::max(start, (s.x1 + wide - x)*perX);
+            leave = (s.x0 - wide - x)*perX;
         }
         else if (s.x0 > xs + wide)
         {
@@ -494,7 +496,7 @@ double impact::reliefPiece::firstReach
         }
         else if (Vy < 0)
         {
-            const double reach = enter - room/Vy;
+            const double reach = enter - room*perY;
             if (reach <= leave)
             {
                 found = std::min(found, reach);

@@ -211,10 +211,13 @@ impact::wallDeparture impact::nonSphericalRebound::depart
     else
     {
         // Room for the descent from the highest crest to the mean plane. A
-        // particle that goes further makes the piece grow.
+        // particle that goes further makes the piece grow. On a long way down
+        // most have struck before.
         b.y = scaled_.top() + body_.radius();
-        const double descent =
-            b.y*std::min(b.V.x/-b.V.y, 1e4) + 4*body_.radius();
+        const double along = std::min(b.V.x/-b.V.y, 1e4);
+        const double high = 1.5*along*scaled_.sigmaHeight();
+        const double descent = b.y*along + 4*body_.radius()
+          - (high > 8*scaled_.meanSpacing() ? high : 0);
         const int stretch = int
         (
             std::min(1024., 3 + descent/scaled_.meanSpacing())

@@ -19,6 +19,10 @@ using namespace impact;
 //  for its own results
 constexpr int lanesAtOnce = 64;
 
+//- Attempts to bring a hop to its end before it is left to the search step by
+//  step
+constexpr double manyAttempts = 6;
+
 
 //- Lowest point of the body, and its distance below the centre; m is the
 //  laboratory axis y in body components
@@ -79,31 +83,31 @@ impactInline void turn
 
 
 //- v turned about a body axis
-template<int axis>
+template<int axis, class Real>
 impactInline void turnAxis
 (
-    double s,
-    double c,
-    double& vx,
-    double& vy,
-    double& vz
+    Real s,
+    Real c,
+    Real& vx,
+    Real& vy,
+    Real& vz
 )
 {
     if (axis == 0)
     {
-        const double y = c*vy - s*vz;
+        const Real y = c*vy - s*vz;
         vz = s*vy + c*vz;
         vy = y;
     }
     else if (axis == 1)
     {
-        const double z = c*vz - s*vx;
+        const Real z = c*vz - s*vx;
         vx = s*vz + c*vx;
         vz = z;
     }
     else if (axis == 2)
     {
-        const double x = c*vx - s*vy;
+        const Real x = c*vx - s*vy;
         vy = s*vx + c*vy;
         vx = x;
     }
@@ -148,6 +152,7 @@ impactInline void arrive
         l.V[0][i] = V0;
         l.V[1][i] = V1;
         l.V[2][i] = V2;
+        l.contacts[i] = 0;
     }
 }
 
@@ -159,7 +164,7 @@ impactInline void touch(int n, const smoothBody& b, smoothLanes& __restrict__ l)
     const double a0 = b.a[0], a1 = b.a[1], a2 = b.a[2];
     for (int i = 0; i < n; ++i)
     {
-        lowest
+        l.y[i] = lowest
         (
             ellipsoid, a0, a1, a2, l.ey[0][i], l.ey[1][i], l.ey[2][i],
             l.r[0][i], l.r[1][i], l.r[2][i]
@@ -195,6 +200,7 @@ impactInline void touchVertices
         l.r[0][i] = rx;
         l.r[1][i] = ry;
         l.r[2][i] = rz;
+        l.y[i] = -low;
     }
 }
 
@@ -271,6 +277,8 @@ impactInline void meetStill
     const double V0 = V[0], V1 = V[1];
     const double along = (b.tangential - 1)*V0;
     const double away = -(1 + b.normal)*V1;
+    const double meanAlong = V0 + 0.5*along;
+    const double meanAway = V1 + 0.5*away;
     const double needed = 1e-12*0.5*(V0*V0 + V1*V1);
     drawScratch q_;
     for (int from = 0; from < n; from += lanesAtOnce)
@@ -297,7 +305,10 @@ impactInline void meetStill
             orient<law>(q_.u0[j], q_.u1[j], q_.u2[j], ex, ey);
             const vector3 ez = cross(ex, ey);
             vector3 r;
-            lowest(ellipsoid, a0, a1, a2, ey.x, ey.y, ey.z, r.x, r.y, r.z);
+            l.y[i] = lowest
+            (
+                ellipsoid, a0, a1, a2, ey.x, ey.y, ey.z, r.x, r.y, r.z
+            );
             const vector3 dVc = along*ex + away*ey;
 
             const vector3 w = spinJump({J0, J1, J2}, r, dVc);
@@ -306,17 +317,15 @@ impactInline void meetStill
             const double dV1 = away - dot(lever, ey);
             const double dV2 = -dot(lever, ez);
             const double spin = J0*w.x*w.x + J1*w.y*w.y + J2*w.z*w.z;
-            const double change = V0*dV0 + V1*dV1
-              + 0.5*(dV0*dV0 + dV1*dV1 + dV2*dV2 + spin);
+
+            // Work of the impulse at the mean velocity of its point
+            const double change = meanAlong*dV0 + meanAway*dV1;
             l.ex[0][i] = ex.x;
             l.ex[1][i] = ex.y;
             l.ex[2][i] = ex.z;
             l.ey[0][i] = ey.x;
             l.ey[1][i] = ey.y;
             l.ey[2][i] = ey.z;
-            l.r[0][i] = r.x;
-            l.r[1][i] = r.y;
-            l.r[2][i] = r.z;
             l.w[0][i] = w.x;
             l.w[1][i] = w.y;
             l.w[2][i] = w.z;
@@ -324,8 +333,10 @@ impactInline void meetStill
             l.V[1][i] = V1 + dV1;
             l.V[2][i] = dV2;
             l.approach[i] = -V1;
+            l.contacts[i] = 1;
             l.pulling[i] = dV1 < 0 ? 1. : 0.;
             l.gaining[i] = change > needed ? 1. : 0.;
+            l.spinEnergy[i] = spin;
         }
     }
 }
@@ -352,6 +363,7 @@ impactInline void meetSphere
     const double gaining =
         change > 1e-12*0.5*(V[0]*V[0] + V[1]*V[1]) ? 1. : 0.;
     const double approach = -V[1], pulling = dV1 < 0 ? 1. : 0.;
+    const double spinEnergy = J*wz*wz;
     for (int i = 0; i < n; ++i)
     {
         l.ex[0][i] = 1;
@@ -360,9 +372,7 @@ impactInline void meetSphere
         l.ey[0][i] = 0;
         l.ey[1][i] = 1;
         l.ey[2][i] = 0;
-        l.r[0][i] = 0;
-        l.r[1][i] = -a;
-        l.r[2][i] = 0;
+        l.y[i] = a;
         l.w[0][i] = 0;
         l.w[1][i] = 0;
         l.w[2][i] = wz;
@@ -370,8 +380,10 @@ impactInline void meetSphere
         l.V[1][i] = V1;
         l.V[2][i] = 0;
         l.approach[i] = approach;
+        l.contacts[i] = 1;
         l.pulling[i] = pulling;
         l.gaining[i] = gaining;
+        l.spinEnergy[i] = spinEnergy;
     }
 }
 
@@ -574,12 +586,11 @@ impactInline int cull
 (
     int n,
     const smoothBody& b,
-    const smoothLanes& __restrict__ l,
     bool decide,
-    int* __restrict__ mayReturn
+    smoothLanes& __restrict__ l
 )
 {
-    const int ifSure = decide ? 0 : 1;
+    const double ifSure = decide ? 0 : 1;
     int surely = 0;
     const double R = b.radius;
     const double offset = b.offset;
@@ -592,7 +603,7 @@ impactInline int cull
         const double mx = l.ey[0][i], my = l.ey[1][i], mz = l.ey[2][i];
         const double w2 = wx*wx + wy*wy + wz*wz;
         const double Vy = l.V[1][i];
-        const double y = -(l.r[0][i]*mx + l.r[1][i]*my + l.r[2][i]*mz);
+        const double y = l.y[i];
 
         // Rises faster than any lowest point can sink; or is out of reach
         // after the time (R - y)/Vy, before which rise t - bend w^2 t^2/2 > 0
@@ -613,10 +624,10 @@ impactInline int cull
         const bool clear = box & (R - depth > 0.5*bend*w2*T*T + 1e-9*R);
         const bool gone = (Vy > 0)
           & ((Vy*Vy >= offset*offset*w2) | (2*rise*Vy >= needed) | clear);
-        const int sinks = Vy > 0 ? 0 : 1;
-        const int stays = gone ? 0 : 1;
-        mayReturn[i] = sinks ? ifSure : stays;
-        surely += sinks;
+        const bool sinks = !(Vy > 0);
+        const double stays = gone ? 0. : 1.;
+        l.mayReturn[i] = sinks ? ifSure : stays;
+        surely += sinks ? 1 : 0;
     }
     return decide ? surely : 0;
 }
@@ -786,15 +797,93 @@ impactInline double stepToZero(double g, double r, double q)
 }
 
 
+//- Guesses are made in single precision, of which twice as many fit a vector.
+//  Lengths are measured by the radius, times by a time in which the body turns
+//  by an angle of about 1 or less: no number overflows.
+struct single3
+{
+    float x, y, z;
+};
+
+impactInline single3 operator+(const single3& a, const single3& b)
+{
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+impactInline single3 operator-(const single3& a, const single3& b)
+{
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+impactInline single3 operator*(float s, const single3& a)
+{
+    return {s*a.x, s*a.y, s*a.z};
+}
+
+impactInline float dot(const single3& a, const single3& b)
+{
+    return a.x*b.x + a.y*b.y + a.z*b.z;
+}
+
+impactInline single3 cross(const single3& a, const single3& b)
+{
+    return
+    {
+        a.y*b.z - a.z*b.y, a.z*b.x - a.x*b.z, a.x*b.y - a.y*b.x
+    };
+}
+
+//- As above
+template<int axis>
+impactInline single3 spinRate(float rateAxis, const single3& w)
+{
+    return axis == 0 ? single3{0, rateAxis*w.z, -rateAxis*w.y}
+      : axis == 1 ? single3{-rateAxis*w.z, 0, rateAxis*w.x}
+      : axis == 2 ? single3{rateAxis*w.y, -rateAxis*w.x, 0}
+      : single3{0, 0, 0};
+}
+
+//- As above
+impactInline single3 signedHalf(const single3& a, const single3& m)
+{
+    return
+    {
+        m.x < 0 ? -a.x : a.x, m.y < 0 ? -a.y : a.y, m.z < 0 ? -a.z : a.z
+    };
+}
+
+
 //- What the loops of guess() hand on
 struct hopScratch
 {
-    typedef double lane[lanesAtOnce];
+    typedef float lane[lanesAtOnce];
 
-    lane m[3], w[3], rate[3];   // normal, angular velocity; rate of normal
-    lane B[3], C[3];            // of hopRotation
+    lane m[3], w[3];            // normal, angular velocity
+    lane rate[3], bend[3];      // first two derivatives of the normal
+    lane k[3];                  // unit angular momentum
     lane turn, turnAlong;       // rates of precession
     lane y, Vy, t, longest, slow, comes;
+    double unit[lanesAtOnce];   // of time [s]
+
+    impactInline single3 at(const lane x[3], int j) const
+    {
+        return {x[0][j], x[1][j], x[2][j]};
+    }
+
+    impactInline static void put(const single3& v, lane x[3], int j)
+    {
+        x[0][j] = v.x;
+        x[1][j] = v.y;
+        x[2][j] = v.z;
+    }
+};
+
+
+//- What guess() needs to know of the body
+struct hopBody
+{
+    single3 a, J;   // half sizes by radius, moments by that across the axis
+    float ratio;
 };
 
 
@@ -802,52 +891,57 @@ template<int axis>
 impactInline void guessSetup
 (
     int n,
-    const smoothBody& b,
+    const hopBody& b,
+    double R,
     const smoothHops& __restrict__ h,
     int from,
     hopScratch& __restrict__ q
 )
 {
-    const double J0 = b.J[0], J1 = b.J[1], J2 = b.J[2];
-    const double across = axis == 0 ? J1 : J0;
-    const double along = axis == 0 ? J0 : axis == 1 ? J1 : J2;
-    const double ratio = 1 - along/across;
-    const double inverse = 1/across;
-    const double R = b.radius;
+    const double perRadius = 1/R;
     for (int j = 0; j < n; ++j)
     {
         const int i = from + j;
-        const vector3 m = {h.ey[0][i], h.ey[1][i], h.ey[2][i]};
-        const vector3 w = {h.w[0][i], h.w[1][i], h.w[2][i]};
-        const double Vy = h.V[1][i];
-        const double J[3] = {J0, J1, J2};
-        const hopRotation r(w, m, J, ratio, inverse, axis);
-        const double turning = r.rate + std::fabs(r.rateAxis);
-        const double longest = 2/(turning + 1e-60*std::fabs(Vy)/R + 1e-100);
-        const vector3 p = cross(m, w);
-        q.m[0][j] = m.x;
-        q.m[1][j] = m.y;
-        q.m[2][j] = m.z;
-        q.w[0][j] = w.x;
-        q.w[1][j] = w.y;
-        q.w[2][j] = w.z;
-        q.rate[0][j] = p.x;
-        q.rate[1][j] = p.y;
-        q.rate[2][j] = p.z;
-        q.B[0][j] = r.B.x;
-        q.B[1][j] = r.B.y;
-        q.B[2][j] = r.B.z;
-        q.C[0][j] = r.C.x;
-        q.C[1][j] = r.C.y;
-        q.C[2][j] = r.C.z;
-        q.turn[j] = r.rate;
-        q.turnAlong[j] = r.rateAxis;
-        q.y[j] = h.y[i];
-        q.Vy[j] = Vy;
+        const double rising = h.V[1][i]*perRadius;
+        const double unit = 1/
+        (
+            std::fabs(h.w[0][i]) + std::fabs(h.w[1][i])
+          + std::fabs(h.w[2][i]) + 1e-3*std::fabs(rising) + 1e-100
+        );
+        q.unit[j] = unit;
+        q.y[j] = float(h.y[i]*perRadius);
+        q.Vy[j] = float(rising*unit);
+        q.w[0][j] = float(h.w[0][i]*unit);
+        q.w[1][j] = float(h.w[1][i]*unit);
+        q.w[2][j] = float(h.w[2][i]*unit);
+        q.m[0][j] = float(h.ey[0][i]);
+        q.m[1][j] = float(h.ey[1][i]);
+        q.m[2][j] = float(h.ey[2][i]);
+    }
+    for (int j = 0; j < n; ++j)
+    {
+        const single3 m = q.at(q.m, j);
+        const single3 w = q.at(q.w, j);
+        const single3 L = {b.J.x*w.x, b.J.y*w.y, b.J.z*w.z};
+        const float turn = std::sqrt(dot(L, L));
+        const float turnAlong = axis == 3 ? 0.f
+          : b.ratio*(axis == 0 ? w.x : axis == 1 ? w.y : w.z);
+        const float turning = turn + std::fabs(turnAlong);
+        const float longest = 2/(turning + 1e-6f);
+        const single3 rate = cross(m, w);
+        q.put((1/(turn + 1e-10f))*L, q.k, j);
+        q.put(rate, q.rate, j);
+        q.put
+        (
+            cross(rate, w) + cross(m, spinRate<axis>(turnAlong, w)),
+            q.bend, j
+        );
+        q.turn[j] = turn;
+        q.turnAlong[j] = turnAlong;
         q.t[j] = longest;
         q.longest[j] = longest;
-        q.slow[j] = 1e-12*(std::fabs(Vy) + turning*R) + 1e-100;
-        q.comes[j] = 1;
+        q.slow[j] = 1e-6f*(std::fabs(q.Vy[j]) + turning) + 1e-10f;
+        q.comes[j] = 0;
     }
 }
 
@@ -858,24 +952,79 @@ impactInline void guessSetup
 impactInline void guessStraight
 (
     int n,
-    const smoothBody& b,
+    const hopBody& b,
     hopScratch& __restrict__ q
 )
 {
-    const double a[3] = {b.a[0], b.a[1], b.a[2]};
     for (int j = 0; j < n; ++j)
     {
-        const double t = q.t[j];
-        const vector3 p = {q.rate[0][j], q.rate[1][j], q.rate[2][j]};
-        const vector3 m =
-        {
-            q.m[0][j] + t*p.x, q.m[1][j] + t*p.y, q.m[2][j] + t*p.z
-        };
-        const vector3 s = signedHalf(a, m);
-        const double height = q.y[j] + q.Vy[j]*t - dot(s, m);
-        const double fall = dot(s, p) - q.Vy[j];
-        const double next = t + height/(std::fabs(fall) + q.slow[j]);
+        const float t = q.t[j];
+        const single3 p = q.at(q.rate, j);
+        const single3 m = q.at(q.m, j) + t*p;
+        const single3 s = signedHalf(b.a, m);
+        const float height = q.y[j] + q.Vy[j]*t - dot(s, m);
+        const float fall = dot(s, p) - q.Vy[j];
+        const float next = t + height/(std::fabs(fall) + q.slow[j]);
         q.t[j] = (height <= 0) & (fall > 0) & (next > 0) ? next : t;
+    }
+}
+
+
+//- A step of Halley's towards the zero of a height with the derivatives
+//  r and c, if it falls
+impactInline void guessStep
+(
+    float g,
+    float r,
+    float c,
+    int j,
+    hopScratch& __restrict__ q
+)
+{
+    const float t = q.t[j];
+    const float r2 = r*r;
+    const float rest = 2*r2 - g*c;
+    const float next = t - 2*g*r/((rest > r2 ? rest : r2) + 1e-20f);
+    const bool comes = (r < 0) & (next > 0) & (next < q.longest[j]);
+    q.t[j] = comes ? next : t;
+    q.comes[j] = comes ? 1.f : 0.f;
+}
+
+
+//- A step with the series of third degree of the normal
+template<int axis>
+impactInline void guessSeries
+(
+    int n,
+    const hopBody& b,
+    hopScratch& __restrict__ q
+)
+{
+    for (int j = 0; j < n; ++j)
+    {
+        const float t = q.t[j];
+        const single3 m0 = q.at(q.m, j);
+        const single3 w = q.at(q.w, j);
+        const single3 p = q.at(q.rate, j);
+        const single3 c = q.at(q.bend, j);
+        const float rateAxis = q.turnAlong[j];
+        single3 d = cross(c, w);
+        if (axis < 3)
+        {
+            const single3 dw = spinRate<axis>(rateAxis, w);
+            d = d + cross(2*p, dw)
+              + cross(m0, spinRate<axis>(rateAxis, dw));
+        }
+        const single3 td = t*d;
+        const single3 bend = c + td;
+        const single3 rate = p + t*(c + 0.5f*td);
+        const single3 m = m0 + t*(p + (0.5f*t)*(c + (1.f/3)*td));
+        const single3 half = signedHalf(b.a, m);
+        guessStep
+        (
+            q.y[j] + q.Vy[j]*t - dot(half, m), q.Vy[j] - dot(half, rate),
+            -dot(half, bend), j, q
+        );
     }
 }
 
@@ -885,47 +1034,42 @@ template<int axis>
 impactInline void guessTurning
 (
     int n,
-    const smoothBody& b,
+    const hopBody& b,
     hopScratch& __restrict__ q
 )
 {
-    const double a[3] = {b.a[0], b.a[1], b.a[2]};
     for (int j = 0; j < n; ++j)
     {
-        const double t = q.t[j];
-        const double x = q.turn[j]*t, x2 = x*x;
-        const double s = x*(1 - x2*(1./6 - x2*(1./120 - x2*(1./5040
-          - x2*(1./362880)))));
-        const double c = x2*(0.5 - x2*(1./24 - x2*(1./720
-          - x2*(1./40320 - x2*(1./3628800)))));
-        vector3 m =
-        {
-            q.m[0][j] + (s*q.C[0][j] - c*q.B[0][j]),
-            q.m[1][j] + (s*q.C[1][j] - c*q.B[1][j]),
-            q.m[2][j] + (s*q.C[2][j] - c*q.B[2][j])
-        };
-        vector3 w = {q.w[0][j], q.w[1][j], q.w[2][j]};
-        const double rateAxis = q.turnAlong[j];
+        const float t = q.t[j];
+        const float x = q.turn[j]*t, x2 = x*x;
+        const float s = x*(1 - x2*(1.f/6 - x2*(1.f/120 - x2*(1.f/5040
+          - x2*(1.f/362880)))));
+        const float c = x2*(0.5f - x2*(1.f/24 - x2*(1.f/720
+          - x2*(1.f/40320 - x2*(1.f/3628800)))));
+        const single3 m0 = q.at(q.m, j);
+        const single3 k = q.at(q.k, j);
+        single3 m = m0 + s*cross(m0, k) - c*(m0 - dot(k, m0)*k);
+        single3 w = q.at(q.w, j);
+        const float rateAxis = q.turnAlong[j];
         if (axis < 3)
         {
-            const double f = rateAxis*t, f2 = f*f;
-            const double sf =
-               -f*(1 - f2*(1./6 - f2*(1./120 - f2*(1./5040))));
-            const double cf = 1 - f2*(0.5 - f2*(1./24 - f2*(1./720
-              - f2*(1./40320))));
+            const float f = rateAxis*t, f2 = f*f;
+            const float sf =
+               -f*(1 - f2*(1.f/6 - f2*(1.f/120 - f2*(1.f/5040))));
+            const float cf = 1 - f2*(0.5f - f2*(1.f/24 - f2*(1.f/720
+              - f2*(1.f/40320))));
             turnAxis<axis>(sf, cf, m.x, m.y, m.z);
             turnAxis<axis>(sf, cf, w.x, w.y, w.z);
         }
-        const vector3 rate = cross(m, w);
-        const vector3 bend =
+        const single3 rate = cross(m, w);
+        const single3 bend =
             cross(rate, w) + cross(m, spinRate<axis>(rateAxis, w));
-        const vector3 half = signedHalf(a, m);
-        const double g = q.y[j] + q.Vy[j]*t - dot(half, m);
-        const double r = q.Vy[j] - dot(half, rate);
-        const double next = t + stepToZero(g, r, -dot(half, bend));
-        const bool comes = (r < 0) & (next > 0) & (next < q.longest[j]);
-        q.t[j] = comes ? next : t;
-        q.comes[j] = comes ? 1. : 0.;
+        const single3 half = signedHalf(b.a, m);
+        guessStep
+        (
+            q.y[j] + q.Vy[j]*t - dot(half, m), q.Vy[j] - dot(half, rate),
+            -dot(half, bend), j, q
+        );
     }
 }
 
@@ -942,28 +1086,48 @@ impactInline void guess
 {
     const double R = b.radius;
     const double beyond = decide ? 1.03 : 1;
+    const double across = axis == 0 ? b.J[1] : b.J[0];
+    const double along = axis == 0 ? b.J[0] : axis == 1 ? b.J[1] : b.J[2];
+    const hopBody s =
+    {
+        {float(b.a[0]/R), float(b.a[1]/R), float(b.a[2]/R)},
+        {
+            float(b.J[0]/across), float(b.J[1]/across), float(b.J[2]/across)
+        },
+        float(1 - along/across)
+    };
     hopScratch q;
     for (int first = from; first < to; first += lanesAtOnce)
     {
-        const int n = to - first < lanesAtOnce ? to - first : lanesAtOnce;
-        guessSetup<axis>(n, b, h, first, q);
-        guessStraight(n, b, q);
-        guessStraight(n, b, q);
-        guessStraight(n, b, q);
-        guessTurning<axis>(n, b, q);
-        guessTurning<axis>(n, b, q);
+        // Whole vectors: what lies behind the last hop is an old one, and
+        // harmless
+        const int rest = (to - first + 15) & ~15;
+        const int n = rest < lanesAtOnce ? rest : lanesAtOnce;
+        guessSetup<axis>(n, s, R, h, first, q);
+        guessStraight(n, s, q);
+        guessStraight(n, s, q);
+        guessSeries<axis>(n, s, q);
+        guessTurning<axis>(n, s, q);
 
         // Those that seem not to strike: until they are out of reach
         for (int j = 0; j < n; ++j)
         {
-            const double t = q.t[j];
-            const double out =
-                (R - q.y[j])/(positivePart(q.Vy[j]) + q.slow[j]);
+            const int i = first + j;
+            const double t = double(q.t[j])*q.unit[j];
+            const double longest = double(q.longest[j])*q.unit[j];
+            const double Vy = h.V[1][i];
+            const double out = (R - h.y[i])
+               /(positivePart(Vy) + 1e-12*R/longest + 1e-100);
             const bool strikes = (q.comes[j] > 0) & (t < out);
             const double end = strikes ? beyond*t : out;
-            h.t[first + j] = end < q.longest[j] ? end : q.longest[j];
-            h.outcome[first + j] =
-                strikes ? hopOutcome::nearly : hopOutcome::open;
+
+            // What turns far is not found clear all the way: half of it, or
+            // less, at first
+            const bool isFar = !decide & (end > 0.7*longest);
+            const double part = 0.5*end < 0.45*longest ? 0.5*end : 0.45*longest;
+            const double all = end < longest ? end : longest;
+            h.t[i] = isFar ? part : all;
+            h.seems[i] = strikes & !isFar ? 1. : 0.;
         }
     }
 }
@@ -1048,7 +1212,7 @@ impactInline void land
         const vector3 half = signedHalf(a, m);
         const double g = y + Vy*t - dot(half, m);
         const double r = Vy - dot(half, rate);
-        const bool seems = h.outcome[i] == hopOutcome::nearly;
+        const bool seems = h.seems[i] > 0;
 
         // The bound must not vanish much before the height does
         const double needed = seems ? 0.125*t*positivePart(-r) : 0;
@@ -1080,12 +1244,22 @@ impactInline void land
               & (a[2]*std::fabs(m.z) > edge);
             const double end = t + step;
             const bool falls = seems & (r < 0) & (end > 0);
-            const bool strikes = falls & clear & single & (angle < 3e-5);
-            const bool nearly = falls & (angle < 0.5) & !strikes;
+            const bool close = angle < 3e-5;
+            const bool strikes = falls & clear & single & close;
+            const bool nearly =
+                falls & (angle < 0.5) & !strikes & (clear | !close);
+            const bool still = clear & !seems & !gone & (g > 1e3*tolerance);
+
+            // What else is left is looked at half as far
+            const bool more = h.attempts[i] < manyAttempts;
+            const bool again = !(strikes | gone | still);
             h.outcome[i] = hopOutcome::gone*(gone ? 1. : 0.)
               + hopOutcome::strikes*(strikes ? 1. : 0.)
-              + hopOutcome::nearly*(nearly ? 1. : 0.);
-            h.t[i] = nearly ? end : t;
+              + hopOutcome::again*(again & more ? 1. : 0.)
+              + hopOutcome::clear*(still & more ? 1. : 0.);
+            h.attempts[i] += 1;
+            h.seems[i] = nearly ? 1. : 0.;
+            h.t[i] = nearly ? end : 0.5*t;
 
             const double d = strikes ? step : 0;
             const double d2 = 0.5*d*d;
@@ -1101,18 +1275,18 @@ impactInline void land
             const vector3 m1 = m + (d*rate + d2*bend);
             const vector3 dw2 = spinRate<axis>(q.rateAxis, dw);
             const vector3 w1 = w + (d*dw + d2*dw2);
-            l->ex[0][i] = e1.x;
-            l->ex[1][i] = e1.y;
-            l->ex[2][i] = e1.z;
-            l->ey[0][i] = m1.x;
-            l->ey[1][i] = m1.y;
-            l->ey[2][i] = m1.z;
-            l->w[0][i] = w1.x;
-            l->w[1][i] = w1.y;
-            l->w[2][i] = w1.z;
-            l->V[0][i] = h.V[0][i];
-            l->V[1][i] = Vy;
-            l->V[2][i] = h.V[2][i];
+            const bool moves = strikes | still;
+            h.ex[0][i] = moves ? e1.x : e0.x;
+            h.ex[1][i] = moves ? e1.y : e0.y;
+            h.ex[2][i] = moves ? e1.z : e0.z;
+            h.ey[0][i] = moves ? m1.x : m0.x;
+            h.ey[1][i] = moves ? m1.y : m0.y;
+            h.ey[2][i] = moves ? m1.z : m0.z;
+            h.w[0][i] = moves ? w1.x : w0.x;
+            h.w[1][i] = moves ? w1.y : w0.y;
+            h.w[2][i] = moves ? w1.z : w0.z;
+            const double y1 = strikes ? dot(half, m1) : y + Vy*t;
+            h.y[i] = moves ? y1 : y;
             l->r[0][i] = -half.x;
             l->r[1][i] = -half.y;
             l->r[2][i] = -half.z;
@@ -1199,12 +1373,12 @@ impactKernel void smoothImpact
         const vector3 dw = spinJump({J0, J1, J2}, r, dVc);
         const vector3 dV = dVc - cross(dw, r);
 
-        const vector3 H = {J0*w.x, J1*w.y, J2*w.z};
-        const vector3 dH = {J0*dw.x, J1*dw.y, J2*dw.z};
-        const double before = 0.5*(dot(V, V) + dot(w, H));
-        const double change =
-            dot(V, dV) + 0.5*dot(dV, dV) + dot(w, dH) + 0.5*dot(dw, dH);
+        // Work of the impulse at the mean velocity of its point
+        const double change = dot(Vc + 0.5*dVc, dV);
+        const double before = 0.5
+           *(dot(V, V) + J0*w.x*w.x + J1*w.y*w.y + J2*w.z*w.z);
         l.approach[i] = -vn;
+        l.contacts[i] += 1;
         l.pulling[i] = dot(dV, n_) < 0 ? 1. : 0.;
         l.gaining[i] = change > 1e-12*before ? 1. : 0.;
 
@@ -1212,9 +1386,11 @@ impactKernel void smoothImpact
         l.V[0][i] = dot(V2, ex);
         l.V[1][i] = dot(V2, n_);
         l.V[2][i] = dot(V2, ez);
-        l.w[0][i] = w.x + dw.x;
-        l.w[1][i] = w.y + dw.y;
-        l.w[2][i] = w.z + dw.z;
+        const vector3 w2 = w + dw;
+        l.w[0][i] = w2.x;
+        l.w[1][i] = w2.y;
+        l.w[2][i] = w2.z;
+        l.spinEnergy[i] = J0*w2.x*w2.x + J1*w2.y*w2.y + J2*w2.z*w2.z;
     }
 }
 
@@ -1246,14 +1422,13 @@ impactKernel int smoothCull
 (
     int n,
     const smoothBody& b,
-    const smoothLanes& l,
     bool decide,
-    int* mayReturn
+    smoothLanes& l
 )
 {
-    return b.ellipsoid ? cull<true, false>(n, b, l, decide, mayReturn)
-      : b.vertices ? cull<false, false>(n, b, l, decide, mayReturn)
-      : cull<false, true>(n, b, l, decide, mayReturn);
+    return b.ellipsoid ? cull<true, false>(n, b, decide, l)
+      : b.vertices ? cull<false, false>(n, b, decide, l)
+      : cull<false, true>(n, b, decide, l);
 }
 
 

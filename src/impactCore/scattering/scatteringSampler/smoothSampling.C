@@ -4,18 +4,19 @@
 
 #include "samplerWorkspace.H"
 
+#include <numeric>
+
 namespace
 {
 
+using impact::lanesColumns;
+using impact::motionColumns;
 using impact::smoothFlights;
-using impact::smoothLanes;
+using impact::smoothMotion;
+using impact::smoothStride;
 
 //- Flights and hops that are not followed until a batch has been added
 constexpr int fewFlights = 64;
-
-//- Attempts to bring a hop to its end before it is left to the search step by
-//  step
-constexpr int manyAttempts = 2;
 
 //- Steps after which a flight is left to the general search
 constexpr int manySteps = 100;
@@ -26,96 +27,42 @@ constexpr int manySteps = 100;
 int removeFlights(smoothFlights& f, int n, const int* ended, int m)
 {
     const int left = n - m;
-    int movers[smoothFlights::room + 1];
+    int movers[impact::smoothRoom + 1];
     int moves = 0;
     for (int i = left; i < n; ++i)
     {
         movers[moves] = i;
         moves += f.ended[i] == 0;
     }
-    const std::size_t stride = sizeof(smoothFlights::lane)/sizeof(double);
-    const int fields = int(&f.status - f.ex) + 1;
+    const int fields = int((&f.status - f.ex)) + 1;
     for (int c = 0; c < fields; ++c)
     {
-        double* x = f.ex[0] + c*stride;
+        double* x = f.ex[0] + c*smoothStride;
         for (int k = 0; k < moves; ++k)
         {
             x[ended[k]] = x[movers[k]];
         }
     }
-    for (int* x : {f.id, f.contacts, f.launched})
+    for (int k = 0; k < moves; ++k)
     {
-        for (int k = 0; k < moves; ++k)
-        {
-            x[ended[k]] = x[movers[k]];
-        }
+        f.launched[ended[k]] = f.launched[movers[k]];
     }
     return left;
 }
 
 
-//- Copy the motion of the places place[0 ... m - 1] behind n others
-template<class From, class To>
-void copyMotion(const From& l, const int* place, int m, To& f, int n)
+//- Copy columns of the lanes place[0 ... m - 1] without gaps
+template<int columns>
+void copyColumns(const double* from, const int* place, int m, double* to)
 {
-    for (int c = 0; c < 3; ++c)
+    for (int k = 0; k < m; ++k, ++to)
     {
-        for (int k = 0; k < m; ++k)
+        const double* x = from + place[k];
+        #pragma GCC unroll 32
+        for (int c = 0; c < columns; ++c)
         {
-            const int i = place[k];
-            f.ex[c][n + k] = l.ex[c][i];
-            f.ey[c][n + k] = l.ey[c][i];
-            f.w[c][n + k] = l.w[c][i];
-            f.V[c][n + k] = l.V[c][i];
+            to[c*smoothStride] = x[c*smoothStride];
         }
-    }
-}
-
-
-//- Add the lanes place[0 ... m - 1], on the wall, to n flights or hops
-template<class Flights>
-void addFlights
-(
-    const smoothLanes& l,
-    const int* place,
-    int m,
-    Flights& f,
-    int n
-)
-{
-    copyMotion(l, place, m, f, n);
-    for (int k = 0; k < m; ++k)
-    {
-        const int i = place[k];
-        f.y[n + k] =
-           -(
-                l.r[0][i]*l.ey[0][i] + l.r[1][i]*l.ey[1][i]
-              + l.r[2][i]*l.ey[2][i]
-            );
-        f.approach[n + k] = l.approach[i];
-    }
-}
-
-
-//- Add the hops place[0 ... m - 1] to n flights or hops
-template<class Flights>
-void addHops
-(
-    const impact::smoothHops& h,
-    const int* place,
-    int m,
-    Flights& f,
-    int n
-)
-{
-    copyMotion(h, place, m, f, n);
-    for (int k = 0; k < m; ++k)
-    {
-        const int i = place[k];
-        f.y[n + k] = h.y[i];
-        f.approach[n + k] = h.approach[i];
-        f.id[n + k] = h.id[i];
-        f.contacts[n + k] = h.contacts[i];
     }
 }
 
@@ -163,6 +110,7 @@ void impact::scatteringSampler::sampleSmooth
     const double V[3] = {V1_.x, V1_.y, V1_.z};
     const double spin[3] = {setup_.spin.x, setup_.spin.y, setup_.spin.z};
     const vector3& J = setup_.body.inertia();
+    const double most = setup_.maxImpacts;
     visitCounts total;
     smoothLanes& l = w.lanes;
     smoothLanes& again = w.struck;
@@ -171,9 +119,10 @@ void impact::scatteringSampler::sampleSmooth
     int inFlight = 0;
     int step = 0;
 
-    // Hops of the next round; of the first ones the end is known already
-    smoothHops* hops = &w.hops[0];
-    smoothHops* later = &w.hops[1];
+    // Hops of this round and of the next; of the first ones it has been guessed
+    // where they end
+    smoothHops* now = &w.hops[0];
+    smoothHops* next = &w.hops[1];
     int hopping = 0, guessed = 0;
 
     auto tally = [&](const smoothLanes& lanes, int m)
@@ -187,74 +136,42 @@ void impact::scatteringSampler::sampleSmooth
         return counts[3];
     };
 
-    // The state after an impact is the result unless another one follows
-    auto record = [&](const smoothLanes& lanes, int i, int particle)
-    {
-        w.Vx[particle] = lanes.V[0][i];
-        w.Vy[particle] = lanes.V[1][i];
-        w.Vz[particle] = lanes.V[2][i];
-        w.spinEnergy[particle] =
-            J.x*lanes.w[0][i]*lanes.w[0][i] + J.y*lanes.w[1][i]*lanes.w[1][i]
-          + J.z*lanes.w[2][i]*lanes.w[2][i];
-    };
-
     // The rest of the visit of flight i outside the kernels
     auto finish = [&](int i)
     {
         const bodyState b = stateOf(f, i, 0.5*flat_.period());
-        const visitResult r = visit_.resume(b, f.contacts[i], w.piece, 0);
+        const visitResult r = visit_.resume(b, int(f.contacts[i]), w.piece, 0);
         total.addImpacts(r);
         total.second += f.contacts[i] == 1 && r.second;
         const vector3& omega = r.state.rotation.omega;
-        const int particle = f.id[i];
+        const int particle = int(f.id[i]);
         w.Vx[particle] = r.state.V.x;
         w.Vy[particle] = r.state.V.y;
         w.Vz[particle] = r.state.V.z;
         w.spinEnergy[particle] = dot(multiply(J, omega), omega);
     };
 
-    // Launch those of the lanes that may come back. Their particles are
-    // number base + i, or of a list
-    auto launch = [&]
-    (
-        const smoothLanes& lanes,
-        int m,
-        int base,
-        const int* particles,
-        const int* contacts
-    )
+    // Launch those of the lanes that may come back
+    auto launch = [&](smoothLanes& lanes, int m)
     {
-        int may[smoothFlights::room];
-        int place[smoothFlights::room + 1];
-        place[0] = 0;
-        total.second += smoothCull(m, smooth_, lanes, decide, may);
+        total.second += smoothCull(m, smooth_, decide, lanes);
+        int place[smoothRoom + 1];
         int k = 0;
         for (int i = 0; i < m; ++i)
         {
             place[k] = i;
-            k += may[i];
+            k += lanes.mayReturn[i] != 0 ? 1 : 0;
         }
         if (hops_)
         {
-            addFlights(lanes, place, k, *hops, hopping);
-            for (int j = 0; j < k; ++j)
-            {
-                const int i = place[j];
-                hops->id[hopping + j] = particles ? particles[i] : base + i;
-                hops->contacts[hopping + j] = contacts ? contacts[i] : 1;
-                hops->attempts[hopping + j] = 0;
-            }
+            smoothHops& hops = *now;
+            copyColumns<motionColumns>
+                (lanes.ex[0], place, k, hops.ex[0] + hopping);
+            std::fill_n(hops.attempts + hopping, k, 0.);
             hopping += k;
             return;
         }
-        addFlights(lanes, place, k, f, inFlight);
-        for (int j = 0; j < k; ++j)
-        {
-            const int i = place[j];
-            f.id[inFlight + j] = particles ? particles[i] : base + i;
-            f.contacts[inFlight + j] = contacts ? contacts[i] : 1;
-            f.launched[inFlight + j] = step;
-        }
+        copyColumns<motionColumns>(lanes.ex[0], place, k, f.ex[0] + inFlight);
         if (!vectorFlights_)
         {
             for (int j = 0; j < k; ++j)
@@ -263,29 +180,51 @@ void impact::scatteringSampler::sampleSmooth
             }
             return;
         }
+        std::fill_n(f.launched + inFlight, k, step);
         smoothLaunch(inFlight, inFlight + k, smooth_, f);
         inFlight += k;
     };
 
-    // The lanes of again rebound
-    auto strike = [&](int m, const int* particles, const int* contacts)
+    // Those of the lanes of again that have not struck too often
+    auto leaveCapped = [&](int m)
     {
+        int place[smoothRoom];
+        int k = 0;
+        for (int i = 0; i < m; ++i)
+        {
+            place[k] = i;
+            k += again.contacts[i] < most ? 1 : 0;
+        }
+        if (k < m)
+        {
+            total.capped += m - k;
+            copyColumns<lanesColumns>(again.ex[0], place, k, again.ex[0]);
+        }
+        return k;
+    };
+
+    // The lanes of again rebound. The state after an impact is the result
+    // unless another one follows
+    auto strike = [&](int m)
+    {
+        int second = 0;
+        for (int i = 0; i < m; ++i)
+        {
+            second += again.contacts[i] == 1 ? 1 : 0;
+        }
+        total.second += second;
+        m = leaveCapped(m);
         smoothImpact(m, smooth_, again);
         tally(again, m);
         for (int i = 0; i < m; ++i)
         {
-            record(again, i, particles[i]);
+            const int particle = int(again.id[i]);
+            w.Vx[particle] = again.V[0][i];
+            w.Vy[particle] = again.V[1][i];
+            w.Vz[particle] = again.V[2][i];
+            w.spinEnergy[particle] = again.spinEnergy[i];
         }
-        launch(again, m, 0, particles, contacts);
-    };
-
-    // Hops that the steps of the flights are to follow
-    auto leaveToSteps = [&](const smoothHops& h, const int* place, int m)
-    {
-        addHops(h, place, m, f, inFlight);
-        std::fill_n(f.launched + inFlight, m, step);
-        smoothLaunch(inFlight, inFlight + m, smooth_, f);
-        inFlight += m;
+        launch(again, m);
     };
 
     // All hops to their ends, as far as those are found at once, and the
@@ -293,73 +232,46 @@ void impact::scatteringSampler::sampleSmooth
     auto hop = [&]
     {
         // Whole vectors, as below
+        smoothHops& hops = *now;
+        smoothHops& later = *next;
         const int n = hopping;
         const int whole = (n + 7) & ~7;
-        smoothHops& h = *hops;
-        smoothGuess(guessed, whole, smooth_, decide, h);
-        int open[smoothHops::room + 1];
-        int m = 0;
-        if (decide)
-        {
-            smoothDecide(whole, smooth_, h);
-            for (int i = 0; i < n; ++i)
-            {
-                total.second += h.outcome[i] == hopOutcome::strikes;
-                open[m] = i;
-                m += h.outcome[i] == hopOutcome::open;
-            }
-            hopping = guessed = 0;
-            leaveToSteps(h, open, m);
-            return;
-        }
-
-        smoothLand(whole, smooth_, h, landed);
-        int nearly[smoothHops::room + 1], struck[smoothHops::room + 1];
-        int close = 0, hits = 0;
+        smoothGuess(guessed, whole, smooth_, decide, hops);
+        decide ? smoothDecide(whole, smooth_, hops)
+          : smoothLand(whole, smooth_, hops, landed);
+        int open[smoothRoom + 1], hits[smoothRoom + 1];
+        int stay[smoothRoom + 1], clear[smoothRoom + 1];
+        int m = 0, struck = 0, stays = 0, clears = 0;
         for (int i = 0; i < n; ++i)
         {
-            const int outcome = int(h.outcome[i]);
-            const int more = h.attempts[i] < manyAttempts;
-            const int isClose = outcome == int(hopOutcome::nearly);
-            open[m] = nearly[close] = struck[hits] = i;
-            m += (outcome == int(hopOutcome::open)) | (isClose & !more);
-            close += isClose & more;
-            hits += outcome == int(hopOutcome::strikes);
+            const int outcome = int(hops.outcome[i]);
+            open[m] = hits[struck] = stay[stays] = clear[clears] = i;
+            m += outcome == int(hopOutcome::open) ? 1 : 0;
+            struck += outcome == int(hopOutcome::strikes) ? 1 : 0;
+            stays += outcome == int(hopOutcome::again) ? 1 : 0;
+            clears += outcome == int(hopOutcome::clear) ? 1 : 0;
         }
-        addHops(h, nearly, close, *later, 0);
-        for (int j = 0; j < close; ++j)
-        {
-            const int i = nearly[j];
-            later->t[j] = h.t[i];
-            later->outcome[j] = h.outcome[i];
-            later->attempts[j] = h.attempts[i] + 1;
-        }
-        leaveToSteps(h, open, m);
 
-        // Those that strike, but for those that have done so too often
-        int particles[smoothHops::room], contacts[smoothHops::room];
-        int k = 0;
-        for (int j = 0; j < hits; ++j)
+        // Those that the steps of the flights are to follow
+        copyColumns<motionColumns>(hops.ex[0], open, m, f.ex[0] + inFlight);
+        std::fill_n(f.launched + inFlight, m, step);
+        smoothLaunch(inFlight, inFlight + m, smooth_, f);
+        inFlight += m;
+
+        if (decide)
         {
-            const int i = struck[j];
-            struck[k] = i;
-            particles[k] = h.id[i];
-            contacts[k] = h.contacts[i] + 1;
-            total.second += h.contacts[i] == 1;
-            k += h.contacts[i] < setup_.maxImpacts;
+            total.second += struck;
+            hopping = guessed = 0;
+            return;
         }
-        total.capped += hits - k;
-        copyMotion(landed, struck, k, again, 0);
-        for (int c = 0; c < 3; ++c)
-        {
-            for (int j = 0; j < k; ++j)
-            {
-                again.r[c][j] = landed.r[c][struck[j]];
-            }
-        }
-        std::swap(hops, later);
-        hopping = guessed = close;
-        strike(k, particles, contacts);
+        copyColumns<motionColumns>(hops.ex[0], hits, struck, again.ex[0]);
+        copyColumns<3>(landed.r[0], hits, struck, again.r[0]);
+        copyColumns<hopColumns>(hops.ex[0], stay, stays, later.ex[0]);
+        copyColumns<hopColumns>(hops.ex[0], clear, clears, later.ex[0] + stays);
+        guessed = stays;
+        hopping = stays + clears;
+        std::swap(now, next);
+        strike(struck);
     };
 
     // One step of all flights, and the impacts at its end
@@ -380,7 +292,7 @@ void impact::scatteringSampler::sampleSmooth
                 }
             }
         }
-        int ended[smoothFlights::room + 1], hits[smoothFlights::room + 1];
+        int ended[smoothRoom + 1], hits[smoothRoom + 1];
         int m = 0;
         for (int i = 0; i < inFlight; ++i)
         {
@@ -399,38 +311,18 @@ void impact::scatteringSampler::sampleSmooth
             inFlight = removeFlights(f, inFlight, ended, m);
             return;
         }
-        int particles[smoothFlights::room], contacts[smoothFlights::room];
-        double times[smoothFlights::room];
-        int k = 0;
-        for (int h = 0; h < struck; ++h)
+        double times[smoothRoom];
+        for (int k = 0; k < struck; ++k)
         {
-            const int i = hits[h];
-            hits[k] = i;
-            times[k] = f.t[i] + f.tau[i];
-            particles[k] = f.id[i];
-            contacts[k] = f.contacts[i] + 1;
-            total.second += f.contacts[i] == 1;
-            k += f.contacts[i] < setup_.maxImpacts;
+            times[k] = f.t[hits[k]] + f.tau[hits[k]];
         }
-        total.capped += struck - k;
-        struck = k;
-        for (int c = 0; c < 3; ++c)
-        {
-            for (int h = 0; h < struck; ++h)
-            {
-                again.ex[c][h] = f.ex[c][hits[h]];
-                again.ey[c][h] = f.ey[c][hits[h]];
-                again.w[c][h] = f.w[c][hits[h]];
-                again.V[c][h] = f.V[c][hits[h]];
-            }
-        }
+        copyColumns<motionColumns>(f.ex[0], hits, struck, again.ex[0]);
         inFlight = removeFlights(f, inFlight, ended, m);
-        if (struck == 0)
+        if (struck > 0)
         {
-            return;
+            smoothTurn(struck, smooth_, times, again);
+            strike(struck);
         }
-        smoothTurn(struck, smooth_, times, again);
-        strike(struck, particles, contacts);
     };
 
     // Until no more than so many are left of each. What may be under way at
@@ -463,11 +355,12 @@ void impact::scatteringSampler::sampleSmooth
             smoothImpact(m, smooth_, l);
         }
         total.into += tally(l, m);
-        for (int i = 0; i < m; ++i)
-        {
-            record(l, i, from + i);
-        }
-        launch(l, m, from, nullptr, nullptr);
+        std::copy_n(l.V[0], m, w.Vx + from);
+        std::copy_n(l.V[1], m, w.Vy + from);
+        std::copy_n(l.V[2], m, w.Vz + from);
+        std::copy_n(l.spinEnergy, m, w.spinEnergy + from);
+        std::iota(l.id, l.id + m, double(from));
+        launch(l, m);
         follow(fewFlights);
     }
     follow(0);

@@ -945,6 +945,10 @@ impact::contactPoint impact::wallVisit::search
         }
     };
 
+    // Longest step: bounds hold over what the body can reach within it, and
+    // are lower where that is less. So not much longer than the last one
+    const double far = std::max(4*R/fastest, speed > 0 ? R/speed : 0.);
+    double longest = far;
     double t0 = 0;
     bool known = touching && departure > 0;
     lowest low0 = {};
@@ -988,23 +992,24 @@ impact::contactPoint impact::wallVisit::search
         }
 
         // Bounds over what the body can reach within the longest step
-        double limit = 4*R/fastest;
-        if (speed > 0)
-        {
-            limit = std::max(limit, R/speed);
-        }
-        limit = std::min(limit, rotation.horizon() - t0);
+        const double limit =
+            std::min(longest, rotation.horizon() - t0);
         double steep = 0, crest = 0;
         {
             const double xa = state.x + state.V.x*t0;
             const double xb = xa + state.V.x*limit;
-            std::int64_t n = piece.find(std::min(xa, xb) - R, hint);
-            hint = n;
+            const double begin = std::min(xa, xb) - R;
             const double end = std::max(xa, xb) + R;
+            std::int64_t n = piece.find(begin, hint);
+            hint = n;
             for (; piece.at(n).x0 < end; ++n)
             {
-                steep = std::max(steep, piece.at(n).steep);
-                crest = std::max(crest, piece.at(n).crest);
+                // The bend is linear in between
+                const relief::interval& s = piece.at(n);
+                steep = std::max(steep, s.steep);
+                const double first = bendIn(s, std::max(begin, s.x0));
+                const double last = bendIn(s, std::min(end, s.x1));
+                crest = std::max(crest, -std::min(first, last));
             }
         }
         const double B =
@@ -1048,6 +1053,7 @@ impact::contactPoint impact::wallVisit::search
                     t0 = t1;
                     low0 = low1;
                     rate0 = rate1;
+                    longest = std::min(far, std::max(0.2*far, 3*tau));
                     break;
                 }
                 tau = std::max
