@@ -3,9 +3,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "IdentifiedInjection.H"
+#include "cellLocator.H"
 #include "meshTools.H"
-#include "treeDataCell.H"
-#include "indexedOctree.H"
 
 #include <cmath>
 
@@ -36,7 +35,7 @@ void Foam::IdentifiedInjection<CloudType>::locate
 ) const
 {
     const polyMesh& mesh = this->owner().mesh();
-    const boundBox localBounds(mesh.points(), false);
+    const cellLocator& locator = cellLocator::New(mesh);
 
     // A point on a face between two ranks is claimed by both or by none.
     // Both: the higher rank takes it. None: it is moved a rounding error
@@ -60,14 +59,11 @@ void Foam::IdentifiedInjection<CloudType>::locate
                 const label nearest = mesh.findNearestCell(p);
                 p += 1e-9*(mesh.cellCentres()[nearest] - p);
             }
-            if (mesh.nCells() && localBounds.contains(p))
+            parcel.cell = locator.find(p);
+            if (parcel.cell >= 0)
             {
-                parcel.cell = mesh.findCell(p);
-                if (parcel.cell >= 0)
-                {
-                    parcel.position = p;
-                    owner[i] = Pstream::myProcNo();
-                }
+                parcel.position = p;
+                owner[i] = Pstream::myProcNo();
             }
         }
 

@@ -256,9 +256,13 @@ bool Foam::SpinningParcel<ParcelType>::moveEmbedded
                     // two agree
                     for (label i = 0; ; ++i)
                     {
+                        const vector way = aim - deviation;
+                        if (force.tet().moveInside(p, way))
+                        {
+                            break;
+                        }
                         const scalar share =
-                            1
-                          - p.trackToFace(aim - deviation, tau*o.h/trackTime);
+                            1 - p.trackToFace(way, tau*o.h/trackTime);
 
                         if
                         (

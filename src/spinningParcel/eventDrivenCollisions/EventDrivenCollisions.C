@@ -8,6 +8,7 @@
 #include "coupledPolyPatch.H"
 #include "cyclicAMIPolyPatch.H"
 #include "meshTools.H"
+#include "vicinity.H"
 
 #include <algorithm>
 #include <limits>

@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "parcelGas.H"
+#include "coreVector.H"
 #include "fvcCurl.H"
 #include "volPointInterpolation.H"
 
@@ -161,8 +162,10 @@ void Foam::parcelGas::tetField::set(const parcelGas& gas, const particle& p)
     const scalar volume = b & normals[0];
 
     // A flat tetrahedron has no gradient: its value holds throughout
-    const scalar inverse =
-        mag(volume) > 1e-12*mag(b)*mag(c)*mag(d) ? 1/volume : 0;
+    const bool flat =
+        sqr(volume) <= 1e-24*magSqr(b)*magSqr(c)*magSqr(d);
+    const scalar inverse = flat ? 0 : 1/volume;
+    proper_ = !flat && volume > 0;
     for (int j = 0; j < 3; ++j)
     {
         slopes_[0][j] = 0;
@@ -172,12 +175,27 @@ void Foam::parcelGas::tetField::set(const parcelGas& gas, const particle& p)
             slopes_[0][j] -= slopes_[i + 1][j];
         }
     }
+}
 
-    const impact::gasState* const* v = values_;
-    least_[0] =
-        0.5*min(min(v[0]->rho, v[1]->rho), min(v[2]->rho, v[3]->rho));
-    least_[1] = 0.5*min(min(v[0]->mu, v[1]->mu), min(v[2]->mu, v[3]->mu));
-    least_[2] = 0.5*min(min(v[0]->T, v[1]->T), min(v[2]->T, v[3]->T));
+
+bool Foam::parcelGas::tetField::moveInside(particle& p, const vector& x) const
+{
+    if (!proper_)
+    {
+        return false;
+    }
+    double w[4];
+    weights(toCore(x), w);
+    if (!(min(min(w[0], w[1]), min(w[2], w[3])) > 0))
+    {
+        return false;
+    }
+
+    // Of sum 1, as the tracking leaves them
+    const_cast<barycentric&>(p.coordinates()) =
+        barycentric(1 - w[1] - w[2] - w[3], w[1], w[2], w[3]);
+    p.face() = -1;
+    return true;
 }
 
 

@@ -8,105 +8,20 @@ Description
     leave where the box ends.
 \*---------------------------------------------------------------------------*/
 
-#include "OFstream.H"
-#include "channelTest.H"
+#include "boxMeshTest.H"
 #include "convexCells.H"
 #include "counterRandom.H"
-#include "polyMesh.H"
 
 #include <gtest/gtest.h>
-#include <cstdlib>
 
 using namespace Foam;
 using impact::vector3;
 
 class convexCellsTest
 :
-    public folderTest
+    public boxMeshTest
 {
 protected:
-
-    autoPtr<Time> time_;
-    autoPtr<polyMesh> mesh_;
-
-    void writeFile(const char* name, const char* text)
-    {
-        OFstream os(root_/"case"/name);
-        os.writeQuoted
-        (
-            std::string("FoamFile{version 2.0; format ascii; class dictionary;")
-          + " object x;}\n" + text,
-            false
-        );
-    }
-
-    //- 4 x 4 x 4 cells, cyclic in x, a wall at the end of z
-    void SetUp() override
-    {
-        folderTest::SetUp();
-        mkDir(root_/"case"/"system");
-        mkDir(root_/"case"/"constant");
-        writeFile
-        (
-            "system/controlDict",
-            "deltaT 1; endTime 1; writeInterval 1; writePrecision 17;"
-        );
-        writeFile
-        (
-            "system/blockMeshDict",
-            "vertices ((0 0 0) (1 0 0) (1 1 0) (0 1 0)"
-            " (0 0 1) (1 0 1) (1 1 1) (0 1 1));"
-            "blocks (hex (0 1 2 3 4 5 6 7) (4 4 4) simpleGrading (1 1 1));"
-            "edges (); boundary ("
-            "a { type cyclic; neighbourPatch b; faces ((0 4 7 3)); }"
-            "b { type cyclic; neighbourPatch a; faces ((1 2 6 5)); }"
-            "c { type wall; faces ((4 5 6 7)); }"
-            "d { type patch; faces ((0 3 2 1)); }"
-            "e { type symmetryPlane; faces ((0 1 5 4)); }"
-            "f { type symmetryPlane; faces ((3 7 6 2)); });"
-        );
-        const std::string command
-        (
-            "blockMesh -case " + root_ + "/case > " + root_ + "/log 2>&1"
-        );
-        ASSERT_EQ(std::system(command.c_str()), 0);
-        time_.reset(new Time(Time::controlDictName, root_, "case"));
-        mesh_.reset
-        (
-            new polyMesh
-            (
-                IOobject
-                (
-                    polyMesh::defaultRegion,
-                    time_->timeName(),
-                    time_(),
-                    IOobject::MUST_READ
-                )
-            )
-        );
-    }
-
-    void TearDown() override
-    {
-        mesh_.clear();
-        time_.clear();
-        folderTest::TearDown();
-    }
-
-    //- Move the point in the middle: its faces warp
-    void warp()
-    {
-        pointField points(mesh_->points());
-        forAll(points, i)
-        {
-            if (mag(points[i] - point(0.5, 0.5, 0.5)) < 1e-9)
-            {
-                points[i] += vector(0.06, -0.04, 0.05);
-            }
-        }
-        mesh_->movePoints(points);
-        mesh_->resetMotion();
-    }
 
     //- Planes that are not those of the cell behind them
     label nMismatched(const convexCells& cells) const

@@ -60,7 +60,7 @@ SIDES = ("xMin", "xMax", "yMin", "yMax")
 def measured(*args):
     """CPU seconds per parcel and step, pairs per parcel and step, peak MiB:
     without the first step, which fills the domain"""
-    steps = max(5, min(200, 2000000//args[0]))
+    steps = max(5, min(100, 2000000//args[0]))
     first, all_ = run(1, *args), run(1 + steps, *args)
     cpu, count, pairs = (b - a for a, b in zip(first, all_[:3]))
     return cpu/count, pairs/count, all_[3]
@@ -118,7 +118,7 @@ with open(sys.argv[1], "w") as table:
 
     line("N,fraction,ranks,collisions,cpu_us,over_off,pairs,bytes")
     for fraction, numbers in ((1e-5, (10000, 100000)),
-                              (1e-4, (10000, 100000, 1000000))):
+                              (1e-4, (10000, 100000, 300000))):
         base, off = {}, {}
         for n in numbers:
             for way in ("off", "eventDriven"):

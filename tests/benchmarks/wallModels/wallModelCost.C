@@ -10,8 +10,7 @@ Description
     constant/wallModelCost names models: a list of (name dictionary), each
     dictionary with patchInteractionModel, its coefficients, and 'calls'.
     Parcels of different identities sit on the patch 'plate' and strike it
-    again and again at each of 'incidences' (degrees) with 'speed'; the models
-    take turns, five times, and the least time of each counts. Prints name,
+    again and again at each of 'incidences' (degrees) with 'speed'. Prints name,
     incidence, microseconds per call and microseconds above stock rebound,
     which must be the first. With 'histograms', a list of numbers of calls, it
     prints instead, for every model but the first, name, incidence, number of
@@ -188,25 +187,23 @@ int main(int argc, char* argv[])
             }
             continue;
         }
-        scalarList best(clouds.size(), GREAT);
-        for (label turn = 0; turn < 5; ++turn)
-        {
-            forAll(clouds, c)
-            {
-                const double begin = cpuSeconds();
-                for (label i = 0; i < calls[c]; ++i)
-                {
-                    strike(clouds[c], U0, turn*calls[c] + i);
-                }
-                best[c] = min(best[c], 1e6*(cpuSeconds() - begin)/calls[c]);
-            }
-        }
+        double rebound = 0;
         forAll(clouds, c)
         {
+            const double begin = cpuSeconds();
+            for (label i = 0; i < calls[c]; ++i)
+            {
+                strike(clouds[c], U0, i);
+            }
+            const double each = 1e6*(cpuSeconds() - begin)/calls[c];
+            if (c == 0)
+            {
+                rebound = each;
+            }
             std::printf
             (
                 "RESULT %s %g %.4f %.4f\n",
-                names[c].c_str(), incidence, best[c], best[c] - best[0]
+                names[c].c_str(), incidence, each, each - rebound
             );
         }
     }
