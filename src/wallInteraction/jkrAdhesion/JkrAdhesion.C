@@ -5,6 +5,7 @@
 #include "JkrAdhesion.H"
 #include "counterRandom.H"
 #include "scatteringEntries.H"
+#include "withheldOutput.H"
 
 namespace Foam
 {
@@ -321,6 +322,10 @@ void Foam::JkrAdhesion<CloudType>::endStep()
 template<class CloudType>
 void Foam::JkrAdhesion<CloudType>::report(Ostream& os) const
 {
+    if (withheldOutput::now())
+    {
+        return;
+    }
     forAll(this->patches().ofPatch(), patchi)
     {
         const label i = this->patches().of(patchi);

@@ -6,6 +6,7 @@
 #include "ListOps.H"
 #include "PstreamReduceOps.H"
 #include "ops.H"
+#include "withheldOutput.H"
 
 namespace Foam
 {
@@ -78,6 +79,10 @@ void Foam::wallCounters::report
     const bool store
 )
 {
+    if (withheldOutput::now() && !store)
+    {
+        return;
+    }
     forAll(patches_, patchi)
     {
         if (!patches_.set(patchi) || patches_[patchi].nested != nested)
