@@ -4,8 +4,7 @@
 
 #include "vectorTargets.H"
 
-#include "smoothKernels.H"
-#include "elementary.H"
+#include "smoothInline.H"
 #include "orientation.H"
 #include "philoxLanes.H"
 
@@ -13,16 +12,6 @@ namespace
 {
 
 using namespace impact;
-
-//- Lanes that are worked on together: short loops over a few of them, one
-//  after the other, keep the arithmetic busy where one long loop would wait
-//  for its own results
-constexpr int lanesAtOnce = 64;
-
-//- Attempts to bring a hop to its end before it is left to the search step by
-//  step
-constexpr double manyAttempts = 6;
-
 
 //- Lowest point of the body, and its distance below the centre; m is the
 //  laboratory axis y in body components
@@ -79,38 +68,6 @@ impactInline void turn
     vx = x;
     vy = y;
     vz = z;
-}
-
-
-//- v turned about a body axis
-template<int axis, class Real>
-impactInline void turnAxis
-(
-    Real s,
-    Real c,
-    Real& vx,
-    Real& vy,
-    Real& vz
-)
-{
-    if (axis == 0)
-    {
-        const Real y = c*vy - s*vz;
-        vz = s*vy + c*vz;
-        vy = y;
-    }
-    else if (axis == 1)
-    {
-        const Real z = c*vz - s*vx;
-        vx = s*vz + c*vx;
-        vz = z;
-    }
-    else if (axis == 2)
-    {
-        const Real x = c*vx - s*vy;
-        vy = s*vx + c*vy;
-        vx = x;
-    }
 }
 
 
@@ -269,9 +226,11 @@ impactInline void meetStill
     int n,
     const double* V,
     const smoothBody& b,
+    bool decide,
     smoothLanes& __restrict__ l
 )
 {
+    const int ifSinks = decide ? 0 : 1;
     const double a0 = b.a[0], a1 = b.a[1], a2 = b.a[2];
     const double J0 = b.J[0], J1 = b.J[1], J2 = b.J[2];
     const double V0 = V[0], V1 = V[1];
@@ -311,7 +270,8 @@ impactInline void meetStill
             );
             const vector3 dVc = along*ex + away*ey;
 
-            const vector3 w = spinJump({J0, J1, J2}, r, dVc);
+            const vector3 w = ellipsoid
+              ? spinJump({J0, J1, J2}, r, dVc) : cornerJump(b, r, dVc);
             const vector3 lever = cross(w, r);
             const double dV0 = along - dot(lever, ex);
             const double dV1 = away - dot(lever, ey);
@@ -337,6 +297,12 @@ impactInline void meetStill
             l.pulling[i] = dV1 < 0 ? 1. : 0.;
             l.gaining[i] = change > needed ? 1. : 0.;
             l.spinEnergy[i] = spin;
+            if (!ellipsoid)
+            {
+                const double Vy = V1 + dV1;
+                const int stays = boxLeaves(b, l.y[i], Vy, w, ey) ? 0 : 1;
+                l.mayReturn[i] = Vy > 0 ? stays : ifSinks;
+            }
         }
     }
 }
@@ -396,6 +362,7 @@ impactInline void meetAny
     int n,
     const double* V,
     const smoothBody& b,
+    bool decide,
     smoothLanes& l
 )
 {
@@ -405,11 +372,11 @@ impactInline void meetAny
     }
     else if (b.ellipsoid)
     {
-        meetStill<law, true>(seed, first, n, V, b, l);
+        meetStill<law, true>(seed, first, n, V, b, decide, l);
     }
     else
     {
-        meetStill<law, false>(seed, first, n, V, b, l);
+        meetStill<law, false>(seed, first, n, V, b, decide, l);
     }
 }
 
@@ -549,7 +516,6 @@ impactInline void turnLanes
 (
     int n,
     const smoothBody& b,
-    const double* __restrict__ t,
     smoothLanes& __restrict__ l
 )
 {
@@ -568,10 +534,11 @@ impactInline void turnLanes
         Lz *= f;
         const double spin = axis == 0 ? wx : axis == 1 ? wy : wz;
         double s, c;
-        sinCos(-t[i]*L/across, s, c);
+        const double t = l.end[i];
+        sinCos(-t*L/across, s, c);
         turn(Lx, Ly, Lz, s, c, l.ex[0][i], l.ex[1][i], l.ex[2][i]);
         turn(Lx, Ly, Lz, s, c, l.ey[0][i], l.ey[1][i], l.ey[2][i]);
-        sinCos(-t[i]*spin*ratio, s, c);
+        sinCos(-t*spin*ratio, s, c);
         turnAxis<axis>(s, c, l.ex[0][i], l.ex[1][i], l.ex[2][i]);
         turnAxis<axis>(s, c, l.ey[0][i], l.ey[1][i], l.ey[2][i]);
         turnAxis<axis>(s, c, wx, wy, wz);
@@ -582,7 +549,7 @@ impactInline void turnLanes
 }
 
 template<bool ellipsoid, bool box>
-impactInline int cull
+impactInline void cull
 (
     int n,
     const smoothBody& b,
@@ -590,46 +557,30 @@ impactInline int cull
     smoothLanes& __restrict__ l
 )
 {
-    const int ifSure = decide ? 0 : 1;
-    int surely = 0;
+    const int ifSinks = decide ? 0 : 1;
     const double R = b.radius;
     const double offset = b.offset;
     const double bend = b.bend;
-    const double a0 = b.a[0], a1 = b.a[1], a2 = b.a[2];
     const double bounce = ellipsoid ? b.normal : 0;
     for (int i = 0; i < n; ++i)
     {
-        const double wx = l.w[0][i], wy = l.w[1][i], wz = l.w[2][i];
-        const double mx = l.ey[0][i], my = l.ey[1][i], mz = l.ey[2][i];
-        const double w2 = wx*wx + wy*wy + wz*wz;
+        const vector3 w = {l.w[0][i], l.w[1][i], l.w[2][i]};
+        const vector3 m = {l.ey[0][i], l.ey[1][i], l.ey[2][i]};
+        const double w2 = dot(w, w);
         const double Vy = l.V[1][i];
         const double y = l.y[i];
 
         // Rises faster than any lowest point can sink; or is out of reach
         // after the time (R - y)/Vy, before which rise t - bend w^2 t^2/2 > 0
-        // (of an ellipsoid: another corner of a box may be sinking already)
+        // (of an ellipsoid: another corner of a polyhedron may be sinking
+        // already)
         const double rise = bounce*l.approach[i];
         const double needed = bend*w2*(R - y);
-
-        // A box: with the normal m(t) in body components and m' = m x w, no
-        // corner is lower than y + Vy t - h(m + t m') - bend w^2 t^2/2, h the
-        // support of the box. This is concave in t and 0 at t = 0: if it is
-        // positive when the body gets out of reach it was so before
-        const double up = positivePart(Vy) + 1e-9*R*std::sqrt(w2);
-        const double T = (R - y)/nonZero(up);
-        const double depth =
-            a0*std::fabs(mx + T*(my*wz - mz*wy))
-          + a1*std::fabs(my + T*(mz*wx - mx*wz))
-          + a2*std::fabs(mz + T*(mx*wy - my*wx));
-        const bool clear = box & (R - depth > 0.5*bend*w2*T*T + 1e-9*R);
-        const bool gone = (Vy > 0)
-          & ((Vy*Vy >= offset*offset*w2) | (2*rise*Vy >= needed) | clear);
-        const int sinks = Vy > 0 ? 0 : 1;
+        const bool gone = box ? boxLeaves(b, y, Vy, w, m) : (Vy > 0)
+          & ((Vy*Vy >= offset*offset*w2) | (2*rise*Vy >= needed));
         const int stays = gone ? 0 : 1;
-        l.mayReturn[i] = sinks ? ifSure : stays;
-        surely += sinks;
+        l.mayReturn[i] = Vy > 0 ? stays : ifSinks;
     }
-    return decide ? surely : 0;
 }
 
 template<bool box>
@@ -717,589 +668,6 @@ impactInline void begin
     }
 }
 
-//- The rotation of a hop: with the angles theta = rate t of precession and
-//  phi = rateAxis t about the axis of symmetry, the normal of the wall in
-//  body components is A + B cos(theta) + C sin(theta), turned by -phi
-struct hopRotation
-{
-    vector3 w, k, A, B, C;
-    double rate, rateAxis;
-
-    impactInline hopRotation
-    (
-        const vector3& spin,
-        const vector3& normal,
-        const double J[3],
-        double ratio,
-        double inverseAcross,
-        int axis
-    )
-    {
-        w = spin;
-        const vector3 L = {J[0]*w.x, J[1]*w.y, J[2]*w.z};
-        const double size = std::sqrt(dot(L, L));
-        k = (1/nonZero(size))*L;
-        rate = size*inverseAcross;
-        rateAxis = axis == 3 ? 0 : ratio*(axis == 0 ? w.x : axis == 1 ? w.y
-          : w.z);
-        A = dot(k, normal)*k;
-        B = normal - A;
-        C = cross(normal, k);
-    }
-
-    impactInline vector3 before(double s, double c) const
-    {
-        return
-        {
-            A.x + (c*B.x + s*C.x), A.y + (c*B.y + s*C.y),
-            A.z + (c*B.z + s*C.z)
-        };
-    }
-};
-
-
-//- Time derivative of the angular velocity w of a body that turns freely
-template<int axis>
-impactInline vector3 spinRate(double rateAxis, const vector3& w)
-{
-    return axis == 0 ? vector3{0, rateAxis*w.z, -rateAxis*w.y}
-      : axis == 1 ? vector3{-rateAxis*w.z, 0, rateAxis*w.x}
-      : axis == 2 ? vector3{rateAxis*w.y, -rateAxis*w.x, 0}
-      : vector3{0, 0, 0};
-}
-
-
-//- Half sizes with the signs of the lowest corner's depth below the centre
-impactInline vector3 signedHalf(const double a[3], const vector3& m)
-{
-    return
-    {
-        m.x < 0 ? -a[0] : a[0], m.y < 0 ? -a[1] : a[1],
-        m.z < 0 ? -a[2] : a[2]
-    };
-}
-
-
-//- Depth of the lowest corner of a box below its centre
-impactInline double boxDepth(const double a[3], const vector3& m)
-{
-    return a[0]*std::fabs(m.x) + a[1]*std::fabs(m.y) + a[2]*std::fabs(m.z);
-}
-
-
-//- Step to the zero of g + r x + q x^2/2 next to x = 0, r < 0
-impactInline double stepToZero(double g, double r, double q)
-{
-    // Halley's; never more than twice that of Newton
-    const double r2 = r*r;
-    const double rest = 2*r2 - g*q;
-    return -2*g*r/(nonZero(rest > r2 ? rest : r2));
-}
-
-
-//- Guesses are made in single precision, of which twice as many fit a vector.
-//  Lengths are measured by the radius, times by a time in which the body turns
-//  by an angle of about 1 or less: no number overflows.
-struct single3
-{
-    float x, y, z;
-};
-
-impactInline single3 operator+(const single3& a, const single3& b)
-{
-    return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-
-impactInline single3 operator-(const single3& a, const single3& b)
-{
-    return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
-impactInline single3 operator*(float s, const single3& a)
-{
-    return {s*a.x, s*a.y, s*a.z};
-}
-
-impactInline float dot(const single3& a, const single3& b)
-{
-    return a.x*b.x + a.y*b.y + a.z*b.z;
-}
-
-impactInline single3 cross(const single3& a, const single3& b)
-{
-    return
-    {
-        a.y*b.z - a.z*b.y, a.z*b.x - a.x*b.z, a.x*b.y - a.y*b.x
-    };
-}
-
-//- As above
-template<int axis>
-impactInline single3 spinRate(float rateAxis, const single3& w)
-{
-    return axis == 0 ? single3{0, rateAxis*w.z, -rateAxis*w.y}
-      : axis == 1 ? single3{-rateAxis*w.z, 0, rateAxis*w.x}
-      : axis == 2 ? single3{rateAxis*w.y, -rateAxis*w.x, 0}
-      : single3{0, 0, 0};
-}
-
-//- As above
-impactInline single3 signedHalf(const single3& a, const single3& m)
-{
-    return
-    {
-        m.x < 0 ? -a.x : a.x, m.y < 0 ? -a.y : a.y, m.z < 0 ? -a.z : a.z
-    };
-}
-
-
-//- What the loops of guess() hand on
-struct hopScratch
-{
-    typedef float lane[lanesAtOnce];
-
-    lane m[3], w[3];            // normal, angular velocity
-    lane rate[3], bend[3];      // first two derivatives of the normal
-    lane k[3];                  // unit angular momentum
-    lane turn, turnAlong;       // rates of precession
-    lane y, Vy, t, longest, slow, comes;
-    double unit[lanesAtOnce];   // of time [s]
-
-    impactInline single3 at(const lane x[3], int j) const
-    {
-        return {x[0][j], x[1][j], x[2][j]};
-    }
-
-    impactInline static void put(const single3& v, lane x[3], int j)
-    {
-        x[0][j] = v.x;
-        x[1][j] = v.y;
-        x[2][j] = v.z;
-    }
-};
-
-
-//- What guess() needs to know of the body
-struct hopBody
-{
-    single3 a, J;   // half sizes by radius, moments by that across the axis
-    float ratio;
-};
-
-
-template<int axis>
-impactInline void guessSetup
-(
-    int n,
-    const hopBody& b,
-    double R,
-    const smoothHops& __restrict__ h,
-    int from,
-    hopScratch& __restrict__ q
-)
-{
-    const double perRadius = 1/R;
-    for (int j = 0; j < n; ++j)
-    {
-        const int i = from + j;
-        const double rising = h.V[1][i]*perRadius;
-        const double unit = 1/
-        (
-            std::fabs(h.w[0][i]) + std::fabs(h.w[1][i])
-          + std::fabs(h.w[2][i]) + 1e-3*std::fabs(rising) + 1e-100
-        );
-        q.unit[j] = unit;
-        q.y[j] = float(h.y[i]*perRadius);
-        q.Vy[j] = float(rising*unit);
-        q.w[0][j] = float(h.w[0][i]*unit);
-        q.w[1][j] = float(h.w[1][i]*unit);
-        q.w[2][j] = float(h.w[2][i]*unit);
-        q.m[0][j] = float(h.ey[0][i]);
-        q.m[1][j] = float(h.ey[1][i]);
-        q.m[2][j] = float(h.ey[2][i]);
-    }
-    for (int j = 0; j < n; ++j)
-    {
-        const single3 m = q.at(q.m, j);
-        const single3 w = q.at(q.w, j);
-        const single3 L = {b.J.x*w.x, b.J.y*w.y, b.J.z*w.z};
-        const float turn = std::sqrt(dot(L, L));
-        const float turnAlong = axis == 3 ? 0.f
-          : b.ratio*(axis == 0 ? w.x : axis == 1 ? w.y : w.z);
-        const float turning = turn + std::fabs(turnAlong);
-        const float longest = 2/(turning + 1e-6f);
-        const single3 rate = cross(m, w);
-        q.put((1/(turn + 1e-10f))*L, q.k, j);
-        q.put(rate, q.rate, j);
-        q.put
-        (
-            cross(rate, w) + cross(m, spinRate<axis>(turnAlong, w)),
-            q.bend, j
-        );
-        q.turn[j] = turn;
-        q.turnAlong[j] = turnAlong;
-        q.t[j] = longest;
-        q.longest[j] = longest;
-        q.slow[j] = 1e-6f*(std::fabs(q.Vy[j]) + turning) + 1e-10f;
-        q.comes[j] = 0;
-    }
-}
-
-
-//- Were the normal m(t) in body components linear in time, with m' = m x w,
-//  the height of the lowest corner were concave and made of straight pieces:
-//  a step of Newton's from a later time towards where it comes down
-impactInline void guessStraight
-(
-    int n,
-    const hopBody& b,
-    hopScratch& __restrict__ q
-)
-{
-    for (int j = 0; j < n; ++j)
-    {
-        const float t = q.t[j];
-        const single3 p = q.at(q.rate, j);
-        const single3 m = q.at(q.m, j) + t*p;
-        const single3 s = signedHalf(b.a, m);
-        const float height = q.y[j] + q.Vy[j]*t - dot(s, m);
-        const float fall = dot(s, p) - q.Vy[j];
-        const float next = t + height/(std::fabs(fall) + q.slow[j]);
-        q.t[j] = (height <= 0) & (fall > 0) & (next > 0) ? next : t;
-    }
-}
-
-
-//- A step of Halley's towards the zero of a height with the derivatives
-//  r and c, if it falls
-impactInline void guessStep
-(
-    float g,
-    float r,
-    float c,
-    int j,
-    hopScratch& __restrict__ q
-)
-{
-    const float t = q.t[j];
-    const float r2 = r*r;
-    const float rest = 2*r2 - g*c;
-    const float next = t - 2*g*r/((rest > r2 ? rest : r2) + 1e-20f);
-    const bool comes = (r < 0) & (next > 0) & (next < q.longest[j]);
-    q.t[j] = comes ? next : t;
-    q.comes[j] = comes ? 1.f : 0.f;
-}
-
-
-//- A step with the series of third degree of the normal
-template<int axis>
-impactInline void guessSeries
-(
-    int n,
-    const hopBody& b,
-    hopScratch& __restrict__ q
-)
-{
-    for (int j = 0; j < n; ++j)
-    {
-        const float t = q.t[j];
-        const single3 m0 = q.at(q.m, j);
-        const single3 w = q.at(q.w, j);
-        const single3 p = q.at(q.rate, j);
-        const single3 c = q.at(q.bend, j);
-        const float rateAxis = q.turnAlong[j];
-        single3 d = cross(c, w);
-        if (axis < 3)
-        {
-            const single3 dw = spinRate<axis>(rateAxis, w);
-            d = d + cross(2*p, dw)
-              + cross(m0, spinRate<axis>(rateAxis, dw));
-        }
-        const single3 td = t*d;
-        const single3 bend = c + td;
-        const single3 rate = p + t*(c + 0.5f*td);
-        const single3 m = m0 + t*(p + (0.5f*t)*(c + (1.f/3)*td));
-        const single3 half = signedHalf(b.a, m);
-        guessStep
-        (
-            q.y[j] + q.Vy[j]*t - dot(half, m), q.Vy[j] - dot(half, rate),
-            -dot(half, bend), j, q
-        );
-    }
-}
-
-
-//- A step with the rotation itself, in a series good to 1e-5
-template<int axis>
-impactInline void guessTurning
-(
-    int n,
-    const hopBody& b,
-    hopScratch& __restrict__ q
-)
-{
-    for (int j = 0; j < n; ++j)
-    {
-        const float t = q.t[j];
-        const float x = q.turn[j]*t, x2 = x*x;
-        const float s = x*(1 - x2*(1.f/6 - x2*(1.f/120 - x2*(1.f/5040
-          - x2*(1.f/362880)))));
-        const float c = x2*(0.5f - x2*(1.f/24 - x2*(1.f/720
-          - x2*(1.f/40320 - x2*(1.f/3628800)))));
-        const single3 m0 = q.at(q.m, j);
-        const single3 k = q.at(q.k, j);
-        single3 m = m0 + s*cross(m0, k) - c*(m0 - dot(k, m0)*k);
-        single3 w = q.at(q.w, j);
-        const float rateAxis = q.turnAlong[j];
-        if (axis < 3)
-        {
-            const float f = rateAxis*t, f2 = f*f;
-            const float sf =
-               -f*(1 - f2*(1.f/6 - f2*(1.f/120 - f2*(1.f/5040))));
-            const float cf = 1 - f2*(0.5f - f2*(1.f/24 - f2*(1.f/720
-              - f2*(1.f/40320))));
-            turnAxis<axis>(sf, cf, m.x, m.y, m.z);
-            turnAxis<axis>(sf, cf, w.x, w.y, w.z);
-        }
-        const single3 rate = cross(m, w);
-        const single3 bend =
-            cross(rate, w) + cross(m, spinRate<axis>(rateAxis, w));
-        const single3 half = signedHalf(b.a, m);
-        guessStep
-        (
-            q.y[j] + q.Vy[j]*t - dot(half, m), q.Vy[j] - dot(half, rate),
-            -dot(half, bend), j, q
-        );
-    }
-}
-
-
-template<int axis>
-impactInline void guess
-(
-    int from,
-    int to,
-    const smoothBody& b,
-    bool decide,
-    smoothHops& __restrict__ h
-)
-{
-    const double R = b.radius;
-    const double beyond = decide ? 1.03 : 1;
-    const double across = axis == 0 ? b.J[1] : b.J[0];
-    const double along = axis == 0 ? b.J[0] : axis == 1 ? b.J[1] : b.J[2];
-    const hopBody s =
-    {
-        {float(b.a[0]/R), float(b.a[1]/R), float(b.a[2]/R)},
-        {
-            float(b.J[0]/across), float(b.J[1]/across), float(b.J[2]/across)
-        },
-        float(1 - along/across)
-    };
-    hopScratch q;
-    for (int first = from; first < to; first += lanesAtOnce)
-    {
-        // Whole vectors: what lies behind the last hop is an old one, and
-        // harmless
-        const int rest = (to - first + 15) & ~15;
-        const int n = rest < lanesAtOnce ? rest : lanesAtOnce;
-        guessSetup<axis>(n, s, R, h, first, q);
-        guessStraight(n, s, q);
-        guessStraight(n, s, q);
-        guessSeries<axis>(n, s, q);
-        guessTurning<axis>(n, s, q);
-
-        // Those that seem not to strike: until they are out of reach
-        for (int j = 0; j < n; ++j)
-        {
-            const int i = first + j;
-            const double t = double(q.t[j])*q.unit[j];
-            const double longest = double(q.longest[j])*q.unit[j];
-            const double Vy = h.V[1][i];
-            const double out = (R - h.y[i])
-               /(positivePart(Vy) + 1e-12*R/longest + 1e-100);
-            const bool strikes = (q.comes[j] > 0) & (t < out);
-            const double end = strikes ? beyond*t : out;
-
-            // What turns far is not found clear all the way: half of it, or
-            // less, at first
-            const bool isFar = !decide & (end > 0.7*longest);
-            const double part = 0.5*end < 0.45*longest ? 0.5*end : 0.45*longest;
-            const double all = end < longest ? end : longest;
-            h.t[i] = isFar ? part : all;
-            h.seems[i] = strikes & !isFar ? 1. : 0.;
-        }
-    }
-}
-
-
-//- With m(t) the normal in body components, a body at y(t) is no lower than
-//  y - H(m), H its support. Between 0 and t the cubic with the values and
-//  rates of m at both ends is off by at most M u^2 (t - u)^2/24, M the largest
-//  fourth derivative; H is convex: it is at most that at the five control
-//  points of the cubic in Bernstein's form of fourth degree, weighted, and so
-//  the height is positive if it is so at those points. Returns the least of
-//  the middle three heights, of the last what it exceeds \c needed by.
-impactInline double clearance
-(
-    const double a[3],
-    double R,
-    double y,
-    double Vy,
-    double t,
-    double turning,
-    const vector3& m0,
-    const vector3& rate0,
-    const vector3& m1,
-    const vector3& rate1,
-    double needed
-)
-{
-    const double third = t*(1./3);
-    const vector3 p1 = m0 + third*rate0;
-    const vector3 p2 = m1 - third*rate1;
-    const double x = turning*t, x2 = x*x;
-    const double error = 1.0001*R*x2*x2*(1./144) + 1e-14*R;
-    const vector3 c1 = 0.25*(m0 + 3*p1);
-    const vector3 c2 = 0.5*(p1 + p2);
-    const vector3 c3 = 0.25*(3*p2 + m1);
-    const double h1 = y + 0.25*t*Vy - boxDepth(a, c1);
-    const double h2 = y + 0.5*t*Vy - boxDepth(a, c2) - error;
-    const double h3 = y + 0.75*t*Vy - boxDepth(a, c3) - needed;
-    const double least = h1 < h2 ? h1 : h2;
-    return least < h3 ? least : h3;
-}
-
-
-template<int axis, bool decide>
-impactInline void land
-(
-    int n,
-    const smoothBody& b,
-    smoothHops& __restrict__ h,
-    smoothLanes* __restrict__ l
-)
-{
-    const double a[3] = {b.a[0], b.a[1], b.a[2]};
-    const double J[3] = {b.J[0], b.J[1], b.J[2]};
-    const double across = axis == 0 ? J[1] : J[0];
-    const double along = axis == 0 ? J[0] : axis == 1 ? J[1] : J[2];
-    const double ratio = 1 - along/across;
-    const double inverse = 1/across;
-    const double R = b.radius;
-    const double tolerance = 1e-11*R;
-    for (int i = 0; i < n; ++i)
-    {
-        const vector3 m0 = {h.ey[0][i], h.ey[1][i], h.ey[2][i]};
-        const vector3 w0 = {h.w[0][i], h.w[1][i], h.w[2][i]};
-        const double Vy = h.V[1][i];
-        const double y = h.y[i];
-        const double t = h.t[i];
-        const hopRotation q(w0, m0, J, ratio, inverse, axis);
-        const double turning = q.rate + std::fabs(q.rateAxis);
-
-        double s, c, sf = 0, cf = 1;
-        sinCos(q.rate*t, s, c);
-        vector3 m = q.before(s, c);
-        vector3 w = w0;
-        if (axis < 3)
-        {
-            sinCos(-q.rateAxis*t, sf, cf);
-            turnAxis<axis>(sf, cf, m.x, m.y, m.z);
-            turnAxis<axis>(sf, cf, w.x, w.y, w.z);
-        }
-        const vector3 rate = cross(m, w);
-        const vector3 half = signedHalf(a, m);
-        const double g = y + Vy*t - dot(half, m);
-        const double r = Vy - dot(half, rate);
-        const bool seems = h.seems[i] > 0;
-
-        // The bound must not vanish much before the height does
-        const double needed = seems ? 0.125*t*positivePart(-r) : 0;
-        const bool clear =
-            clearance
-            (
-                a, R, y, Vy, t, turning, m0, cross(m0, w0), m, rate, needed
-            ) > 0;
-        const bool out = (Vy > 0) & (y + Vy*t >= 0.999999999*R);
-        const bool gone = clear & out & (g > tolerance);
-        if (decide)
-        {
-            const bool pierced = seems & (g < -10*tolerance);
-            h.outcome[i] = int
-            (
-                hopOutcome::gone*(gone ? 1. : 0.)
-              + hopOutcome::strikes*(pierced ? 1. : 0.)
-            );
-        }
-        else
-        {
-            // To the contact itself, if it is so close that the series of
-            // second degree is exact, and no corner can change its place with
-            // another
-            const vector3 dw = spinRate<axis>(q.rateAxis, w);
-            const vector3 bend = cross(rate, w) + cross(m, dw);
-            const double step = stepToZero(g, r, -dot(half, bend));
-            const double angle = std::fabs(step)*turning;
-            const double edge = 4*R*angle + tolerance;
-            const bool single =
-                (a[0]*std::fabs(m.x) > edge) & (a[1]*std::fabs(m.y) > edge)
-              & (a[2]*std::fabs(m.z) > edge);
-            const double end = t + step;
-            const bool falls = seems & (r < 0) & (end > 0);
-            const bool close = angle < 3e-5;
-            const bool strikes = falls & clear & single & close;
-            const bool nearly =
-                falls & (angle < 0.5) & !strikes & (clear | !close);
-            const bool still = clear & !seems & !gone & (g > 1e3*tolerance);
-
-            // What else is left is looked at half as far
-            const bool more = h.attempts[i] < manyAttempts;
-            const bool again = !(strikes | gone | still);
-            h.outcome[i] = int
-            (
-                hopOutcome::gone*(gone ? 1. : 0.)
-              + hopOutcome::strikes*(strikes ? 1. : 0.)
-              + hopOutcome::again*(again & more ? 1. : 0.)
-              + hopOutcome::clear*(still & more ? 1. : 0.)
-            );
-            h.attempts[i] += 1;
-            h.seems[i] = nearly ? 1. : 0.;
-            h.t[i] = nearly ? end : 0.5*t;
-
-            const double d = strikes ? step : 0;
-            const double d2 = 0.5*d*d;
-            const vector3 e0 = {h.ex[0][i], h.ex[1][i], h.ex[2][i]};
-            const vector3 Ae = dot(q.k, e0)*q.k;
-            const vector3 Be = e0 - Ae;
-            const vector3 Ce = cross(e0, q.k);
-            vector3 e = Ae + (c*Be + s*Ce);
-            turnAxis<axis>(sf, cf, e.x, e.y, e.z);
-            const vector3 eRate = cross(e, w);
-            const vector3 eBend = cross(eRate, w) + cross(e, dw);
-            const vector3 e1 = e + (d*eRate + d2*eBend);
-            const vector3 m1 = m + (d*rate + d2*bend);
-            const vector3 dw2 = spinRate<axis>(q.rateAxis, dw);
-            const vector3 w1 = w + (d*dw + d2*dw2);
-            const bool moves = strikes | still;
-            h.ex[0][i] = moves ? e1.x : e0.x;
-            h.ex[1][i] = moves ? e1.y : e0.y;
-            h.ex[2][i] = moves ? e1.z : e0.z;
-            h.ey[0][i] = moves ? m1.x : m0.x;
-            h.ey[1][i] = moves ? m1.y : m0.y;
-            h.ey[2][i] = moves ? m1.z : m0.z;
-            h.w[0][i] = moves ? w1.x : w0.x;
-            h.w[1][i] = moves ? w1.y : w0.y;
-            h.w[2][i] = moves ? w1.z : w0.z;
-            const double y1 = strikes ? dot(half, m1) : y + Vy*t;
-            h.y[i] = moves ? y1 : y;
-            l->r[0][i] = -half.x;
-            l->r[1][i] = -half.y;
-            l->r[2][i] = -half.z;
-        }
-    }
-}
-
 } // End anonymous namespace
 
 
@@ -1338,16 +706,17 @@ impactKernel void smoothMeet
     int n,
     const double V[3],
     const smoothBody& b,
+    bool decide,
     smoothLanes& l
 )
 {
     if (isotropic)
     {
-        meetAny<orientationLaw::isotropic>(seed, first, n, V, b, l);
+        meetAny<orientationLaw::isotropic>(seed, first, n, V, b, decide, l);
     }
     else
     {
-        meetAny<orientationLaw::uniformEuler>(seed, first, n, V, b, l);
+        meetAny<orientationLaw::uniformEuler>(seed, first, n, V, b, decide, l);
     }
 }
 
@@ -1424,7 +793,7 @@ impactKernel void smoothTally
 }
 
 
-impactKernel int smoothCull
+impactKernel void smoothCull
 (
     int n,
     const smoothBody& b,
@@ -1432,49 +801,9 @@ impactKernel int smoothCull
     smoothLanes& l
 )
 {
-    return b.ellipsoid ? cull<true, false>(n, b, decide, l)
+    b.ellipsoid ? cull<true, false>(n, b, decide, l)
       : b.vertices ? cull<false, false>(n, b, decide, l)
       : cull<false, true>(n, b, decide, l);
-}
-
-
-impactKernel void smoothGuess
-(
-    int from,
-    int to,
-    const smoothBody& b,
-    bool decide,
-    smoothHops& h
-)
-{
-    b.axis == 0 ? guess<0>(from, to, b, decide, h)
-  : b.axis == 1 ? guess<1>(from, to, b, decide, h)
-  : b.axis == 2 ? guess<2>(from, to, b, decide, h)
-  : guess<3>(from, to, b, decide, h);
-}
-
-
-impactKernel void smoothLand
-(
-    int n,
-    const smoothBody& b,
-    smoothHops& h,
-    smoothLanes& l
-)
-{
-    b.axis == 0 ? land<0, false>(n, b, h, &l)
-  : b.axis == 1 ? land<1, false>(n, b, h, &l)
-  : b.axis == 2 ? land<2, false>(n, b, h, &l)
-  : land<3, false>(n, b, h, &l);
-}
-
-
-impactKernel void smoothDecide(int n, const smoothBody& b, smoothHops& h)
-{
-    b.axis == 0 ? land<0, true>(n, b, h, nullptr)
-  : b.axis == 1 ? land<1, true>(n, b, h, nullptr)
-  : b.axis == 2 ? land<2, true>(n, b, h, nullptr)
-  : land<3, true>(n, b, h, nullptr);
 }
 
 
@@ -1511,18 +840,12 @@ impactKernel void smoothAdvance
 }
 
 
-impactKernel void smoothTurn
-(
-    int n,
-    const smoothBody& b,
-    const double* t,
-    smoothLanes& l
-)
+impactKernel void smoothTurn(int n, const smoothBody& b, smoothLanes& l)
 {
-    b.axis == 0 ? turnLanes<0>(n, b, t, l)
-  : b.axis == 1 ? turnLanes<1>(n, b, t, l)
-  : b.axis == 2 ? turnLanes<2>(n, b, t, l)
-  : turnLanes<3>(n, b, t, l);
+    b.axis == 0 ? turnLanes<0>(n, b, l)
+  : b.axis == 1 ? turnLanes<1>(n, b, l)
+  : b.axis == 2 ? turnLanes<2>(n, b, l)
+  : turnLanes<3>(n, b, l);
     touchAny(n, b, l);
 }
 

@@ -9,61 +9,94 @@
 namespace
 {
 
-using impact::lanesColumns;
-using impact::motionColumns;
+using impact::findLanes;
+using impact::flightColumns;
+using impact::hopDoubles;
+using impact::hopSingles;
+using impact::hopStride;
 using impact::smoothFlights;
-using impact::smoothMotion;
+using impact::smoothHops;
 using impact::smoothStride;
 
 //- Flights and hops that are not followed until a batch has been added
 constexpr int fewFlights = 64;
 
+//- Room for the numbers of lanes
+constexpr int laneRoom = impact::smoothRoom + impact::lanePadding;
+
 //- Steps after which a flight is left to the general search
 constexpr int manySteps = 100;
 
 
-//- Take out the flights ended[0 ... m - 1], in rising order, of n: the last
-//  ones come into their places. Returns the number left
-int removeFlights(smoothFlights& f, int n, const int* ended, int m)
+//- Copy columns of a lane to another place
+template<int columns, std::size_t stride, class Number>
+inline void copyLane(const Number* from, Number* to)
 {
-    const int left = n - m;
-    int movers[impact::smoothRoom + 1];
-    int moves = 0;
-    for (int i = left; i < n; ++i)
+    #pragma GCC unroll 32
+    for (int c = 0; c < columns; ++c)
     {
-        movers[moves] = i;
-        moves += f.ended[i] == 0;
+        to[c*stride] = from[c*stride];
     }
-    const int fields = int((&f.status - f.ex)) + 1;
-    for (int c = 0; c < fields; ++c)
-    {
-        double* x = f.ex[0] + c*smoothStride;
-        for (int k = 0; k < moves; ++k)
-        {
-            x[ended[k]] = x[movers[k]];
-        }
-    }
-    for (int k = 0; k < moves; ++k)
-    {
-        f.launched[ended[k]] = f.launched[movers[k]];
-    }
-    return left;
 }
 
 
-//- Copy columns of the lanes place[0 ... m - 1] without gaps
+//- Copy columns of those of n lanes whose mark is value, without gaps. Returns
+//  how many
 template<int columns>
-void copyColumns(const double* from, const int* place, int m, double* to)
+int packLanes
+(
+    int n,
+    const int* mark,
+    int value,
+    const double* from,
+    double* to
+)
 {
-    for (int k = 0; k < m; ++k, ++to)
+    int list[laneRoom];
+    const int found = findLanes(n, mark, value, list);
+    for (int k = 0; k < found; ++k)
     {
-        const double* x = from + place[k];
-        #pragma GCC unroll 32
-        for (int c = 0; c < columns; ++c)
-        {
-            to[c*smoothStride] = x[c*smoothStride];
-        }
+        copyLane<columns, smoothStride>(from + list[k], to + k);
     }
+    return found;
+}
+
+
+//- Take out the flights that have ended, few of n: the last ones come into
+//  their places. Returns the number left
+int removeEnded(smoothFlights& f, int n)
+{
+    int ended[laneRoom], movers[laneRoom];
+    const int m = n - findLanes(n, f.ended, 0, movers);
+    int k = 0;
+    for (int i = 0; i < n; ++i)
+    {
+        ended[k] = i;
+        k += f.ended[i] != 0;
+    }
+    const int moves = findLanes(m, f.ended + n - m, 0, movers);
+    for (int j = 0; j < moves; ++j)
+    {
+        movers[j] += n - m;
+        copyLane<flightColumns, smoothStride>
+            (f.ex[0] + movers[j], f.ex[0] + ended[j]);
+        f.launched[ended[j]] = f.launched[movers[j]];
+    }
+    return n - m;
+}
+
+
+//- Take out the hops that have, most of n. Returns the number left
+int removeEnded(smoothHops& h, int n)
+{
+    int stay[laneRoom];
+    const int left = findLanes(n, h.outcome, impact::hopOutcome::again, stay);
+    for (int k = 0; k < left; ++k)
+    {
+        copyLane<hopDoubles, smoothStride>(h.ex[0] + stay[k], h.ex[0] + k);
+        copyLane<hopSingles, hopStride>(h.m[0] + stay[k], h.m[0] + k);
+    }
+    return left;
 }
 
 
@@ -114,16 +147,10 @@ void impact::scatteringSampler::sampleSmooth
     visitCounts total;
     smoothLanes& l = w.lanes;
     smoothLanes& again = w.struck;
-    smoothLanes& landed = w.landed;
     smoothFlights& f = w.flights;
-    int inFlight = 0;
+    smoothHops& hops = w.hops;
+    int inFlight = 0, hopping = 0;
     int step = 0;
-
-    // Hops of this round and of the next; of the first ones it has been guessed
-    // where they end
-    smoothHops* now = &w.hops[0];
-    smoothHops* next = &w.hops[1];
-    int hopping = 0, guessed = 0;
 
     auto tally = [&](const smoothLanes& lanes, int m)
     {
@@ -151,27 +178,11 @@ void impact::scatteringSampler::sampleSmooth
         w.spinEnergy[particle] = dot(multiply(J, omega), omega);
     };
 
-    // Launch those of the lanes that may come back
-    auto launch = [&](smoothLanes& lanes, int m)
+    // Take marked lanes into the flights
+    auto toFlights = [&](int m, const int* mark, int value, const double* from)
     {
-        total.second += smoothCull(m, smooth_, decide, lanes);
-        int place[smoothRoom + 1];
-        int k = 0;
-        for (int i = 0; i < m; ++i)
-        {
-            place[k] = i;
-            k += lanes.mayReturn[i];
-        }
-        if (hops_)
-        {
-            smoothHops& hops = *now;
-            copyColumns<motionColumns>
-                (lanes.ex[0], place, k, hops.ex[0] + hopping);
-            std::fill_n(hops.attempts + hopping, k, 0.);
-            hopping += k;
-            return;
-        }
-        copyColumns<motionColumns>(lanes.ex[0], place, k, f.ex[0] + inFlight);
+        const int k = packLanes<motionColumns>
+            (m, mark, value, from, f.ex[0] + inFlight);
         if (!vectorFlights_)
         {
             for (int j = 0; j < k; ++j)
@@ -185,36 +196,46 @@ void impact::scatteringSampler::sampleSmooth
         inFlight += k;
     };
 
-    // Those of the lanes of again that have not struck too often
-    auto leaveCapped = [&](int m)
+    // Launch those of the lanes that may come back
+    auto launch = [&](const smoothLanes& lanes, int m)
     {
-        int place[smoothRoom];
-        int k = 0;
-        for (int i = 0; i < m; ++i)
+        if (hops_)
         {
-            place[k] = i;
-            k += again.contacts[i] < most ? 1 : 0;
+            const int k = packLanes<motionColumns>
+                (m, lanes.mayReturn, 1, lanes.ex[0], hops.ex[0] + hopping);
+            hopBegin(hopping, hopping + k, smooth_, hops);
+            hopping += k;
         }
-        if (k < m)
+        else
         {
-            total.capped += m - k;
-            copyColumns<lanesColumns>(again.ex[0], place, k, again.ex[0]);
+            toFlights(m, lanes.mayReturn, 1, lanes.ex[0]);
         }
-        return k;
     };
 
-    // The lanes of again rebound. The state after an impact is the result
-    // unless another one follows
-    auto strike = [&](int m)
+    // Of the lanes of again, which strike, those that have not done so too
+    // often
+    auto countStrikes = [&](int m)
     {
-        int second = 0;
+        int capped[laneRoom];
+        int left = m;
         for (int i = 0; i < m; ++i)
         {
-            second += again.contacts[i] == 1 ? 1 : 0;
+            total.second += again.contacts[i] == 1 ? 1 : 0;
+            capped[i] = again.contacts[i] < most ? 0 : 1;
+            left -= capped[i];
         }
-        total.second += second;
-        m = leaveCapped(m);
-        smoothImpact(m, smooth_, again);
+        if (left < m)
+        {
+            total.capped += m - left;
+            packLanes<lanesColumns>(m, capped, 0, again.ex[0], again.ex[0]);
+        }
+        return left;
+    };
+
+    // The state after an impact of the lanes of again is the result unless
+    // another one follows
+    auto record = [&](int m)
+    {
         tally(again, m);
         for (int i = 0; i < m; ++i)
         {
@@ -227,64 +248,58 @@ void impact::scatteringSampler::sampleSmooth
         launch(again, m);
     };
 
-    // Hops that the steps of the flights are to follow
-    auto leaveToSteps = [&](const smoothHops& h, const int* place, int m)
+    // Those of m lanes of again that have not come to the contact expected: by
+    // steps from the start of their hops. Returns the number of the others
+    auto takeBack = [&](int m, int n, const int* missed)
     {
-        copyColumns<motionColumns>(h.ex[0], place, m, f.ex[0] + inFlight);
-        std::fill_n(f.launched + inFlight, m, step);
-        smoothLaunch(inFlight, inFlight + m, smooth_, f);
-        inFlight += m;
+        int miss[laneRoom], mark[laneRoom] = {};
+        const int misses = findLanes(m, missed, 1, miss);
+        for (int k = 0; k < misses; ++k)
+        {
+            const double id = again.id[miss[k]];
+            const int i = int(std::find(hops.id, hops.id + n, id) - hops.id);
+            total.second -= hops.contacts[i] == 1 ? 1 : 0;
+            mark[i] = 1;
+        }
+        toFlights(n, mark, 1, hops.ex[0]);
+        const int left = packLanes<lanesColumns>
+            (m, missed, 0, again.ex[0], again.ex[0]);
+        for (int i = 0, k = 0; i < m; ++i)
+        {
+            again.mayReturn[k] = again.mayReturn[i];
+            k += missed[i] ? 0 : 1;
+        }
+        return left;
     };
 
-    // All hops to their ends, as far as those are found at once, and the
-    // impacts there
+    // A look at the end of all hops, and the impacts where it is found
     auto hop = [&]
     {
-        // Whole vectors, as below
-        smoothHops& hops = *now;
-        smoothHops& later = *next;
         const int n = hopping;
-        const int whole = (n + 7) & ~7;
-        smoothGuess(guessed, whole, smooth_, decide, hops);
-        int open[smoothRoom + 1];
-        int m = 0, struck = 0;
+        hopLook(n, smooth_, decide, hops);
+        toFlights(n, hops.outcome, hopOutcome::open, hops.ex[0]);
         if (decide)
         {
-            smoothDecide(whole, smooth_, hops);
-            for (int i = 0; i < n; ++i)
-            {
-                open[m] = i;
-                m += hops.outcome[i] == hopOutcome::open ? 1 : 0;
-                struck += hops.outcome[i] == hopOutcome::strikes ? 1 : 0;
-            }
-            total.second += struck;
-            hopping = guessed = 0;
-            leaveToSteps(hops, open, m);
+            int strikes[laneRoom];
+            total.second +=
+                findLanes(n, hops.outcome, hopOutcome::strikes, strikes);
+            hopping = removeEnded(hops, n);
             return;
         }
-
-        smoothLand(whole, smooth_, hops, landed);
-        int hits[smoothRoom + 1];
-        int stay[smoothRoom + 1], clear[smoothRoom + 1];
-        int stays = 0, clears = 0;
-        for (int i = 0; i < n; ++i)
+        int m = packLanes<hopEnd>
+            (n, hops.outcome, hopOutcome::strikes, hops.ex[0], again.ex[0]);
+        m = countStrikes(m);
+        for (int c = 0; c < hopEnd; ++c)
         {
-            const int outcome = hops.outcome[i];
-            open[m] = hits[struck] = stay[stays] = clear[clears] = i;
-            m += outcome == hopOutcome::open ? 1 : 0;
-            struck += outcome == hopOutcome::strikes ? 1 : 0;
-            stays += outcome == hopOutcome::again ? 1 : 0;
-            clears += outcome == hopOutcome::clear ? 1 : 0;
+            std::fill_n(again.ex[0] + c*smoothStride + m, 8, 0.);
         }
-        leaveToSteps(hops, open, m);
-        copyColumns<motionColumns>(hops.ex[0], hits, struck, again.ex[0]);
-        copyColumns<3>(landed.r[0], hits, struck, again.r[0]);
-        copyColumns<hopColumns>(hops.ex[0], stay, stays, later.ex[0]);
-        copyColumns<hopColumns>(hops.ex[0], clear, clears, later.ex[0] + stays);
-        guessed = stays;
-        hopping = stays + clears;
-        std::swap(now, next);
-        strike(struck);
+        int missed[laneRoom];
+        if (hopStrike(m, smooth_, again, missed) > 0)
+        {
+            m = takeBack(m, n, missed);
+        }
+        hopping = removeEnded(hops, n);
+        record(m);
     };
 
     // One step of all flights, and the impacts at its end
@@ -305,36 +320,28 @@ void impact::scatteringSampler::sampleSmooth
                 }
             }
         }
-        int ended[smoothRoom + 1], hits[smoothRoom + 1];
-        int m = 0;
-        for (int i = 0; i < inFlight; ++i)
-        {
-            ended[m] = i;
-            m += f.ended[i] != 0;
-        }
-        int struck = 0;
-        for (int k = 0; k < m; ++k)
-        {
-            hits[struck] = ended[k];
-            struck += f.ended[ended[k]] >> 1;
-        }
         if (decide)
         {
-            total.second += struck;
-            inFlight = removeFlights(f, inFlight, ended, m);
+            int strikes[laneRoom];
+            total.second += findLanes(inFlight, f.ended, 2, strikes);
+            inFlight = removeEnded(f, inFlight);
             return;
         }
-        double times[smoothRoom];
-        for (int k = 0; k < struck; ++k)
+        int strikes[laneRoom];
+        int m = findLanes(inFlight, f.ended, 2, strikes);
+        packLanes<motionColumns>(inFlight, f.ended, 2, f.ex[0], again.ex[0]);
+        for (int k = 0; k < m; ++k)
         {
-            times[k] = f.t[hits[k]] + f.tau[hits[k]];
+            again.end[k] = f.t[strikes[k]] + f.tau[strikes[k]];
         }
-        copyColumns<motionColumns>(f.ex[0], hits, struck, again.ex[0]);
-        inFlight = removeFlights(f, inFlight, ended, m);
-        if (struck > 0)
+        inFlight = removeEnded(f, inFlight);
+        if (m > 0)
         {
-            smoothTurn(struck, smooth_, times, again);
-            strike(struck);
+            smoothTurn(m, smooth_, again);
+            m = countStrikes(m);
+            smoothImpact(m, smooth_, again);
+            smoothCull(m, smooth_, decide, again);
+            record(m);
         }
     };
 
@@ -357,7 +364,9 @@ void impact::scatteringSampler::sampleSmooth
         if (still && !smooth_.vertices)
         {
             smoothMeet
-                (isotropic, setup_.seed, first + from, m, V, smooth_, l);
+            (
+                isotropic, setup_.seed, first + from, m, V, smooth_, decide, l
+            );
         }
         else
         {
@@ -367,12 +376,18 @@ void impact::scatteringSampler::sampleSmooth
             );
             smoothImpact(m, smooth_, l);
         }
-        total.into += tally(l, m);
+        const int into = tally(l, m);
+        total.into += into;
+        total.second += decide ? into : 0;
         std::copy_n(l.V[0], m, w.Vx + from);
         std::copy_n(l.V[1], m, w.Vy + from);
         std::copy_n(l.V[2], m, w.Vz + from);
         std::copy_n(l.spinEnergy, m, w.spinEnergy + from);
         std::iota(l.id, l.id + m, double(from));
+        if (!hops_)
+        {
+            smoothCull(m, smooth_, decide, l);
+        }
         launch(l, m);
         follow(fewFlights);
     }
