@@ -515,13 +515,42 @@ impactInline void look(int n, const smoothBody& b, smoothHops& h)
 }
 
 
-//- What the loops of strike() hand on: state at the contact, which is at r
+//- What the loops of strike() hand on: unit angular momentum at the start and
+//  rate of precession; state at the contact, which is at r
 struct strikeScratch
 {
     typedef double lane[lanesAtOnce];
 
+    lane k[3], rate;
     lane ex[3], ey[3], w[3], r[3], missed;
 };
+
+
+//- The rotation of the hops: a loop of its own, since root and division take
+//  long and what follows needs them at once
+template<int axis>
+impactInline void precess
+(
+    int from,
+    int n,
+    const hopBody<axis>& b,
+    const smoothLanes& __restrict__ l,
+    strikeScratch& __restrict__ q
+)
+{
+    for (int j = 0; j < n; ++j)
+    {
+        const int i = from + j;
+        const vector3 w = {l.w[0][i], l.w[1][i], l.w[2][i]};
+        const vector3 L = multiply(b.J, w);
+        const double size = std::sqrt(dot(L, L));
+        const double unit = 1/nonZero(size);
+        q.k[0][j] = unit*L.x;
+        q.k[1][j] = unit*L.y;
+        q.k[2][j] = unit*L.z;
+        q.rate[j] = size*b.inverse;
+    }
+}
 
 
 //- To the contact itself
@@ -547,10 +576,8 @@ impactInline void reach
         // With the angles theta = rate t of precession and phi = rateAxis t
         // about the axis of symmetry, a fixed direction in body components is
         // A + B cos(theta) + C sin(theta), turned by -phi
-        const vector3 L = multiply(b.J, w0);
-        const double size = std::sqrt(dot(L, L));
-        const vector3 k = (1/nonZero(size))*L;
-        const double rate = size*b.inverse;
+        const vector3 k = {q.k[0][j], q.k[1][j], q.k[2][j]};
+        const double rate = q.rate[j];
         const double rateAxis = b.ratio*b.along(w0);
         double s, c, sf = 0, cf = 1;
         sinCos(rate*t, s, c);
@@ -695,6 +722,7 @@ impactInline int strike
     {
         const int rest = (n - from + 7) & ~7;
         const int m = rest < lanesAtOnce ? rest : lanesAtOnce;
+        precess<axis>(from, m, body, l, q);
         reach<axis>(from, m, body, l, q);
         rebound(from, m, b, q, l, missed);
     }

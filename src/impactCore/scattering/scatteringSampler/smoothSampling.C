@@ -4,8 +4,6 @@
 
 #include "samplerWorkspace.H"
 
-#include <numeric>
-
 namespace
 {
 
@@ -383,7 +381,10 @@ void impact::scatteringSampler::sampleSmooth
         std::copy_n(l.V[1], m, w.Vy + from);
         std::copy_n(l.V[2], m, w.Vz + from);
         std::copy_n(l.spinEnergy, m, w.spinEnergy + from);
-        std::iota(l.id, l.id + m, double(from));
+        for (int i = 0; i < m; ++i)
+        {
+            l.id[i] = from + i;
+        }
         if (!hops_)
         {
             smoothCull(m, smooth_, decide, l);
