@@ -262,6 +262,18 @@ impactInline void meetStill
             const int i = from + j;
             vector3 ex, ey;
             orient<law>(q_.u0[j], q_.u1[j], q_.u2[j], ex, ey);
+            l.ex[0][i] = ex.x;
+            l.ex[1][i] = ex.y;
+            l.ex[2][i] = ex.z;
+            l.ey[0][i] = ey.x;
+            l.ey[1][i] = ey.y;
+            l.ey[2][i] = ey.z;
+        }
+        for (int j = 0; j < m; ++j)
+        {
+            const int i = from + j;
+            const vector3 ex = {l.ex[0][i], l.ex[1][i], l.ex[2][i]};
+            const vector3 ey = {l.ey[0][i], l.ey[1][i], l.ey[2][i]};
             const vector3 ez = cross(ex, ey);
             vector3 r;
             l.y[i] = lowest
@@ -280,12 +292,6 @@ impactInline void meetStill
 
             // Work of the impulse at the mean velocity of its point
             const double change = meanAlong*dV0 + meanAway*dV1;
-            l.ex[0][i] = ex.x;
-            l.ex[1][i] = ex.y;
-            l.ex[2][i] = ex.z;
-            l.ey[0][i] = ey.x;
-            l.ey[1][i] = ey.y;
-            l.ey[2][i] = ey.z;
             l.w[0][i] = w.x;
             l.w[1][i] = w.y;
             l.w[2][i] = w.z;
