@@ -167,7 +167,7 @@ struct hopScratch
 {
     typedef float lane[lanesAtOnce];
 
-    lane t, comes;
+    lane t, comes, longest;
 };
 
 
@@ -209,12 +209,6 @@ impactInline turnedHop turned(const smoothHops& h, int i, float t)
 }
 
 
-impactInline float longestOf(const smoothHops& h, int i)
-{
-    return 2/(h.turn[i] + std::fabs(h.turnAlong[i]) + 1e-6f);
-}
-
-
 //- Were the normal m(t) in body components linear in time, with m' = m x w,
 //  the height of the lowest corner were concave and made of straight pieces:
 //  steps of Newton's from a later time towards where it comes down
@@ -235,7 +229,8 @@ impactInline void guessStraight
         const float y = h.height[i], Vy = h.rise[i];
         const float turning = h.turn[i] + std::fabs(h.turnAlong[i]);
         const float slow = 1e-6f*(std::fabs(Vy) + turning) + 1e-10f;
-        float t = longestOf(h, i);
+        const float longest = 2/(turning + 1e-6f);
+        float t = longest;
         #pragma GCC unroll 2
         for (int step = 0; step < 2; ++step)
         {
@@ -247,6 +242,7 @@ impactInline void guessStraight
             t = (height <= 0) & (fall > 0) & (next > 0) ? next : t;
         }
         q.t[j] = t;
+        q.longest[j] = longest;
     }
 }
 
@@ -270,7 +266,7 @@ impactInline void guessStep
     const float g = h.height[i] + h.rise[i]*t - dot(half, m);
     const float r = h.rise[i] - dot(half, rate);
     const float next = t + stepToZero(g, r, -dot(half, bend), 1e-20f);
-    const bool comes = (r < 0) & (next > 0) & (next < longestOf(h, i));
+    const bool comes = (r < 0) & (next > 0) & (next < q.longest[j]);
     q.t[j] = comes ? next : t;
     q.comes[j] = comes ? 1.f : 0.f;
 }
@@ -349,7 +345,7 @@ impactInline void chooseTrial
     for (int j = 0; j < n; ++j)
     {
         const int i = from + j;
-        const float longest = longestOf(h, i);
+        const float longest = q.longest[j];
         const float out = (1.0001f - h.height[i])
            /(0.5f*(h.rise[i] + std::fabs(h.rise[i])) + 1e-12f);
         const bool comes = (q.comes[j] > 0) & (q.t[j] < out);
@@ -371,10 +367,8 @@ impactInline void chooseTrial
 //  rates of m at both ends is off by at most M u^2 (t - u)^2/24, M the largest
 //  fourth derivative; H is convex: it is at most that at the five control
 //  points of the cubic in Bernstein's form of fourth degree, weighted, and so
-//  the height is positive if it is so at those points. Returns the least of
-//  the second and third of them, of the third what it exceeds \c needed by;
-//  and the first, \c start.
-impactInline float clearance
+//  the height is positive if it is so at those points: the middle three heights
+impactInline single3 clearance
 (
     const single3& a,
     float y,
@@ -384,9 +378,7 @@ impactInline float clearance
     const single3& m0,
     const single3& rate0,
     const single3& m1,
-    const single3& rate1,
-    float needed,
-    float& start
+    const single3& rate1
 )
 {
     const float third = t*(1.f/3);
@@ -394,13 +386,12 @@ impactInline float clearance
     const single3 p2 = m1 - third*rate1;
     const float x = turning*t, x2 = x*x;
     const float error = 1.0001f*x2*x2*(1.f/144);
-    const single3 c1 = 0.25f*(m0 + 3.f*p1);
-    const single3 c2 = 0.5f*(p1 + p2);
-    const single3 c3 = 0.25f*(3.f*p2 + m1);
-    start = y + 0.25f*t*Vy - boxDepth(a, c1);
-    const float h2 = y + 0.5f*t*Vy - boxDepth(a, c2) - error;
-    const float h3 = y + 0.75f*t*Vy - boxDepth(a, c3) - needed;
-    return h2 < h3 ? h2 : h3;
+    return
+    {
+        y + 0.25f*t*Vy - boxDepth(a, 0.25f*(m0 + 3.f*p1)),
+        y + 0.5f*t*Vy - boxDepth(a, 0.5f*(p1 + p2)) - error,
+        y + 0.75f*t*Vy - boxDepth(a, 0.25f*(3.f*p2 + m1))
+    };
 }
 
 
@@ -442,13 +433,11 @@ impactInline void judge
         const bool alone =
             (a.x*std::fabs(b.m.x) > reach) & (a.y*std::fabs(b.m.y) > reach)
           & (a.z*std::fabs(b.m.z) > reach);
-        const float needed = seems ? 0.25f*std::fabs(g)*t*turning/reach : 0.f;
-        float start;
-        const float later = clearance
-        (
-            a, y, Vy, t, turning, m0, cross(m0, w0), b.m, b.rate, needed, start
-        );
-        const bool clear = (start > margin) & (later > margin);
+        const single3 heights =
+            clearance(a, y, Vy, t, turning, m0, cross(m0, w0), b.m, b.rate);
+        const float early = seems ? 0.25f*std::fabs(g)*t*turning : 0.f;
+        const bool clear = (heights.x > margin) & (heights.y > margin)
+          & ((heights.z - margin)*reach > early);
         const bool out = (Vy > 0) & (y + Vy*t >= 1.00005f);
         const bool gone = clear & out & (g > margin);
 
@@ -465,7 +454,7 @@ impactInline void judge
         // What else is left is looked at half as far, unless it does not even
         // begin by rising enough to be told from round-off
         const bool more = (attempts < manyAttempts)
-          & ((start > margin) | (t*turning > 0.4f));
+          & ((heights.x > margin) | (t*turning > 0.4f));
         const bool again = !(strikes | gone) & more;
         h.outcome[i] = int
         (
