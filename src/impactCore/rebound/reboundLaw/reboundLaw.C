@@ -5,6 +5,7 @@
 #include "reboundLaw.H"
 #include "elementary.H"
 #include "frictionKernels.H"
+#include "slipTurn.H"
 
 #include <algorithm>
 #include <sstream>
@@ -17,6 +18,7 @@ using impact::frictionOrder;
 using impact::frictionSeries;
 using impact::inverses;
 using impact::slipEndOrder;
+using impact::slipTurn;
 using impact::vector3;
 
 void checkRange
@@ -627,6 +629,106 @@ struct frictionProcess
         return false;
     }
 
+    //- To a place of a panel
+    void move(const slipTurn& turn, const slipTurn::place& q)
+    {
+        double more1, more2;
+        turn.tangential(q, more1, more2, x, y);
+        slip = q.s;
+        v = q.v;
+        S1 += more1;
+        S2 += more2;
+        p += q.p;
+        rubbed += q.Z;
+    }
+
+    enum class progress
+    {
+        none,
+        some,
+        all
+    };
+
+    //- On by a panel of integrals, if slip turns and the velocity along the
+    //  normal rises
+    progress turnOn(slipTurn& turn, bool& begun)
+    {
+        const bool again = begun;
+        begun = false;
+        double growth, turning, change;
+        rates(x/slip, y/slip, growth, turning, change);
+        const double rise = a - mu*(f1*x + f2*y)/slip;
+        if (!(rise > 0) || (restituting ? v < 0 : !(v < 0)))
+        {
+            return progress::none;
+        }
+
+        // The impulse still to come if the rates stay. The change of slip
+        // due to a very small one would be round-off
+        const double work = normalWork(*this);
+        const double back = restituting
+          ? std::max(0., compression*(1 - e2) - work) : 0.5*e2*v*v/rise;
+        const double from = restituting ? v : 0;
+        const double impulse =
+            (restituting ? 0 : -v/rise)
+          + (std::sqrt(from*from + 2*rise*back) - from)/rise;
+        if
+        (
+            impulse < 3e-3*slip
+         || std::fabs(turning)*impulse < 1e-6*slip
+        )
+        {
+            return progress::none;
+        }
+        if (again)
+        {
+            turn.proceed();
+        }
+        else if (!turn.begin({mu, k11, k12, k22, f1, f2, a}, x, y))
+        {
+            return progress::none;
+        }
+        if (!turn.panel(slip, v, work, impulse, 1e-10))
+        {
+            return progress::none;
+        }
+        begun = true;
+
+        const slipTurn::place last = turn.end();
+        slipTurn::place start = turn.beginning();
+        if (!restituting)
+        {
+            if (last.v < 0)
+            {
+                move(turn, last);
+                return progress::some;
+            }
+            start = turn.turningPoint();
+            if (e2 == 0)
+            {
+                for (int i = 0; i < 2; ++i)
+                {
+                    turn.nudge(start, -start.v/start.N);
+                }
+                move(turn, start);
+                return progress::all;
+            }
+            compression = start.work;
+            restituting = true;
+        }
+        const double all = compression*(1 - e2);
+        if (last.work < all)
+        {
+            move(turn, last);
+            return progress::some;
+        }
+        if (start.work < all)
+        {
+            move(turn, turn.workDone(start, compression, all));
+        }
+        return progress::all;
+    }
+
     //- The whole impact
     void run()
     {
@@ -636,12 +738,23 @@ struct frictionProcess
             return;
         }
         frictionSeries c;
+        slipTurn turn;
+        bool turning = false;
         for (int step = 0; step < 10000; ++step)
         {
             if (slip <= 1e-12 || slipEnds())
             {
                 finishFromRest();
                 return;
+            }
+            const progress done = turnOn(turn, turning);
+            if (done == progress::all)
+            {
+                return;
+            }
+            if (done == progress::some)
+            {
+                continue;
             }
             expand(c);
             if (follow(c, range(c)))
