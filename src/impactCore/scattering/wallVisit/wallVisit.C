@@ -46,6 +46,38 @@ inline double bendIn(const relief::interval& s, double x)
 }
 
 
+//- A gap at some time, its rate, and whose it is
+struct gapSample
+{
+    double t, gap, rate;
+    int i, j;
+
+    //- When it is zero, by Newton's method
+    double zero() const
+    {
+        return t - gap/rate;
+    }
+
+    //- The same by the inverse cubic through another sample, if they are of
+    //  one point and not far off
+    double zero(const gapSample& a) const
+    {
+        const double h = gap - a.gap;
+        const double x = -a.gap, y = gap;
+        if
+        (
+            !(rate < 0 && a.rate < 0) || i != a.i || j != a.j || i != j
+         || !(x*h > -0.5*h*h && y*h > -0.5*h*h)
+        )
+        {
+            return zero();
+        }
+        const double u = x/h, v = y/h;
+        return a.t + u*u*(3 - 2*u)*(t - a.t) + h*u*v*(v/a.rate - u/rate);
+    }
+};
+
+
 //- An edge of a shadow, between two points of numbers i and j
 struct straightEdge
 {
@@ -668,6 +700,7 @@ public:
         out.x = e.xOf(bestP);
         out.slope = slopeIn(piece.at(best), out.x);
         out.parameter = bestP;
+        out.i = out.j = 0;
         return out;
     }
 
@@ -849,8 +882,12 @@ impact::contactPoint impact::wallVisit::search
     // The body is the union of balls of its least radius of curvature; a
     // point of a ball may be taken to move with the centre of the ball
     const double lever = R - body_->leastCurvature();
+    const double skewness = freeRotation::skewness(*body_);
     const double acceleration =
-        lever*omega*omega*(1 + freeRotation::skewness(*body_));
+        lever*omega*omega*(1 + skewness);
+    const double accelerationOfPoint = R*omega*omega*(1 + skewness);
+    const double jerk =
+        R*omega*omega*omega*(1 + 2*skewness)*(1 + 2*skewness);
     const double speed =
         std::sqrt(state.V.x*state.V.x + state.V.y*state.V.y);
     const double fastest = speed + omega*R;
@@ -875,6 +912,9 @@ impact::contactPoint impact::wallVisit::search
     {
         shadow.turn(state.rotation);
     }
+    // Of the last evaluation: rotation, velocity of the lowest point along x
+    rotationState now = state.rotation;
+    double speedOfPoint = 0;
     auto evaluate = [&](double t, double& rate)
     {
         if constexpr (closed)
@@ -883,7 +923,6 @@ impact::contactPoint impact::wallVisit::search
         }
         else
         {
-            rotationState now;
             if (turning)
             {
                 rotation.evaluate(t, now);
@@ -902,6 +941,7 @@ impact::contactPoint impact::wallVisit::search
                 vy += dot(spin, now.ey);
             }
             rate = vy - l.slope*vx;
+            speedOfPoint = vx;
             return l;
         }
     };
@@ -910,7 +950,6 @@ impact::contactPoint impact::wallVisit::search
     {
         if constexpr (closed)
         {
-            rotationState now = state.rotation;
             if (turning)
             {
                 rotation.evaluate(t, now);
@@ -928,6 +967,62 @@ impact::contactPoint impact::wallVisit::search
         }
     };
 
+    // A corner of the body close to the relief, at the last evaluation: the
+    // time until it touches by its acceleration, if the third derivative of
+    // its gap leaves an error of less than half the tolerance; else 0
+    constexpr bool corners =
+        std::is_same_v<Shadow, boxShadow>
+     || std::is_same_v<Shadow, polygonShadow>;
+    auto whenTouching = [&](lowest& l, double rate)
+    {
+        if constexpr (corners)
+        {
+            if (!(rate < 0) || l.i != l.j)
+            {
+                return 0.;
+            }
+            const relief::interval& s = piece.at(piece.find(l.x, hint));
+            const double bend = bendIn(s, l.x);
+            double ax = 0, ay = 0;
+            if (turning)
+            {
+                const vector3& J = body_->inertia();
+                const vector3& w = now.omega;
+                const vector3 alpha =
+                {
+                    (J.y - J.z)/J.x*w.y*w.z,
+                    (J.z - J.x)/J.y*w.z*w.x,
+                    (J.x - J.y)/J.z*w.x*w.y
+                };
+                const vector3 r = shadow.point(l);
+                const vector3 a = cross(w, cross(w, r)) + cross(alpha, r);
+                ax = dot(a, now.ex);
+                ay = dot(a, now.ey);
+            }
+            const double second = ay - l.slope*ax
+              - bend*speedOfPoint*speedOfPoint;
+            const double root = rate*rate - 2*second*l.gap;
+            if (!(root > 0.5*rate*rate))
+            {
+                return 0.;
+            }
+            const double t = 2*l.gap/(std::sqrt(root) - rate);
+            const double third =
+                std::sqrt(1 + l.slope*l.slope)*jerk
+              + 3*std::fabs(bend)*fastest*accelerationOfPoint
+              + 6*std::fabs(s.c3)*fastest*fastest*fastest;
+            if (!(std::fabs(t*t*t)*third < 3*tolerance))
+            {
+                return 0.;
+            }
+            l.x += t*(speedOfPoint + 0.5*t*ax);
+            l.gap = 0;
+            l.slope = slopeIn(piece.at(piece.find(l.x, hint)), l.x);
+            return t;
+        }
+        return 0.;
+    };
+
     // Longest step: bounds hold over what the body can reach within it, and
     // are lower where that is less. So not much longer than the last one
     const double far = std::max(4*R/fastest, speed > 0 ? R/speed : 0.);
@@ -943,7 +1038,8 @@ impact::contactPoint impact::wallVisit::search
             lost = true;
             return none;
         }
-        const double jump = piece.firstReach
+        // Close to the relief the circle is within its reach
+        const double jump = known && low0.gap < 0.1*R ? t0 : piece.firstReach
         (
             state.x, state.y, state.V.x, state.V.y, R, R, t0, hint, lost
         );
@@ -1017,6 +1113,7 @@ impact::contactPoint impact::wallVisit::search
         tau = std::min(tau, limit);
 
         // Shorten the step until it is certain, or ends at a contact
+        gapSample last = {t0, low0.gap, rate0, low0.i, low0.j};
         for (int k = 0; ; ++k)
         {
             const double t1 = t0 + tau;
@@ -1025,6 +1122,16 @@ impact::contactPoint impact::wallVisit::search
             const double root1 =
                 std::sqrt(std::max(low1.gap, 0.) + allowed);
             const bool clear = root0 + root1 > tau/reach;
+            const gapSample here = {t1, low1.gap, rate1, low1.i, low1.j};
+            if (std::fabs(low1.gap) < 1e-3*R && std::fabs(low1.gap) > tolerance)
+            {
+                lowest touch = low1;
+                const double rest = whenTouching(touch, rate1);
+                if (rest != 0 && tau + rest < reach*root0 && tau + rest > 0)
+                {
+                    return contact(t1 + rest, touch);
+                }
+            }
             if (low1.gap >= -tolerance)
             {
                 if (clear || tau <= least)
@@ -1033,17 +1140,27 @@ impact::contactPoint impact::wallVisit::search
                     {
                         return contact(t1, low1);
                     }
+                    // On to the contact, if it is within the same bounds
+                    const double next = rate1 < 0 && k < 8
+                      ? here.zero(last) - t0 : limit;
+                    if (next > tau && next < std::min(limit, 0.99*reach*root0))
+                    {
+                        tau = next;
+                        last = here;
+                        continue;
+                    }
                     t0 = t1;
                     low0 = low1;
                     rate0 = rate1;
                     longest = std::min(far, std::max(0.2*far, 3*tau));
                     break;
                 }
-                tau = std::max
-                (
-                    least,
-                    std::min(0.9*reach*(root0 + root1), 0.9*tau)
-                );
+                // Where the gap has just begun to open it will be less too
+                const double share = reach*(root0 + root1)/tau;
+                const double less =
+                    root0 < 0.3*root1 ? share*std::sqrt(share) : share;
+                tau = std::max(least, std::min(0.9*less, 0.9)*tau);
+                last = here;
                 continue;
             }
             // The relief is pierced within the step
@@ -1056,7 +1173,7 @@ impact::contactPoint impact::wallVisit::search
                 lost = true;
                 return none;
             }
-            double next = rate1 < 0 ? tau - low1.gap/rate1 : -1;
+            double next = rate1 < 0 ? here.zero(last) - t0 : -1;
             if (!(next > 0 && next < tau))
             {
                 next = tau*g0/(g0 - low1.gap);
@@ -1067,9 +1184,13 @@ impact::contactPoint impact::wallVisit::search
             }
             if (next >= reach*root0)
             {
-                next = std::min(0.999*reach*root0, 0.9*tau);
+                // Not certain then. Half of it may be, with a gap at its end
+                const double certain =
+                    std::min(0.999*reach*root0, 0.9*tau);
+                next = k < 4 ? std::max(certain, 0.5*next) : certain;
             }
-            tau = std::max(least, std::min(next, 0.9999999*tau));
+            tau = std::max(least, std::min(next, (1 - 1e-13)*tau));
+            last = here;
         }
     }
 }
