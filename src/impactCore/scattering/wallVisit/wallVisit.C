@@ -1028,6 +1028,7 @@ impact::contactPoint impact::wallVisit::search
     const double far = std::max(4*R/fastest, speed > 0 ? R/speed : 0.);
     double longest = far;
     double t0 = 0;
+    double stop = 0;            // the relief is pierced there
     bool known = touching && departure > 0;
     lowest low0 = {};
     double rate0 = departure;
@@ -1107,10 +1108,36 @@ impact::contactPoint impact::wallVisit::search
         }
         else
         {
-            tau = 0.9*reach*(reach*rate0 + 2*root0);
+            tau = 0.75*reach*(reach*rate0 + 2*root0);
+            if (stop > t0)
+            {
+                tau = std::min(tau, 0.7*(stop - t0));
+            }
         }
         tau = std::max(least, tau);
         tau = std::min(tau, limit);
+
+        // Share of a step that failed which is likely to succeed, by the cubic
+        // through both ends
+        auto shorter = [&](double step, double gap1, double rate1)
+        {
+            for (double f = 0.85; f > 0.1; f -= 0.15)
+            {
+                const double rest = 1 - f;
+                const double g =
+                    rest*rest*((1 + 2*f)*g0 + f*step*rate0)
+                  + f*f*((1 + 2*rest)*gap1 - rest*step*rate1);
+                if
+                (
+                    g > 0
+                 && reach*(root0 + std::sqrt(g)) > 1.1*f*step
+                )
+                {
+                    return f;
+                }
+            }
+            return 0.1;
+        };
 
         // Shorten the step until it is certain, or ends at a contact
         gapSample last = {t0, low0.gap, rate0, low0.i, low0.j};
@@ -1155,11 +1182,7 @@ impact::contactPoint impact::wallVisit::search
                     longest = std::min(far, std::max(0.2*far, 3*tau));
                     break;
                 }
-                // Where the gap has just begun to open it will be less too
-                const double share = reach*(root0 + root1)/tau;
-                const double less =
-                    root0 < 0.3*root1 ? share*std::sqrt(share) : share;
-                tau = std::max(least, std::min(0.9*less, 0.9)*tau);
+                tau = std::max(least, tau*shorter(tau, low1.gap, rate1));
                 last = here;
                 continue;
             }
@@ -1184,10 +1207,13 @@ impact::contactPoint impact::wallVisit::search
             }
             if (next >= reach*root0)
             {
-                // Not certain then. Half of it may be, with a gap at its end
+                // Not certain then, without a gap at its end
+                stop = t1;
                 const double certain =
                     std::min(0.999*reach*root0, 0.9*tau);
-                next = k < 4 ? std::max(certain, 0.5*next) : certain;
+                next = k < 4
+                  ? std::max(certain, tau*shorter(tau, low1.gap, rate1))
+                  : certain;
             }
             tau = std::max(least, std::min(next, (1 - 1e-13)*tau));
             last = here;
