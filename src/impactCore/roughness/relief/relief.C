@@ -28,8 +28,17 @@ void require(bool ok, const char* name, double value, const char* range)
 }
 
 
+//- A number of values that no vector of a loop over them is part of: the
+//  kernels take that many, since the last few would cost as much one by one
+int wholeVectors(int n)
+{
+    return (n + 7) & ~7;
+}
+
+
 //- The n cubics between n + 1 knots from x on, spacing[i + 1] that of the
-//  cubic i, from heights and second derivatives; work holds 5 n
+//  cubic i, from heights and second derivatives; work holds 5 n, and there are
+//  eight knots more behind
 void makeIntervals
 (
     int n,
@@ -41,14 +50,15 @@ void makeIntervals
     interval* out
 )
 {
+    const int room = wholeVectors(n);
     double* c1 = work;
-    double* c3 = work + n;
-    double* top = work + 2*n;
-    double* steep = work + 3*n;
-    double* crest = work + 4*n;
+    double* c3 = work + room;
+    double* top = work + 2*room;
+    double* steep = work + 3*room;
+    double* crest = work + 4*room;
     impact::splineShapes
     (
-        n, spacing, height, moment, c1, c3, top, steep, crest
+        room, spacing, height, moment, c1, c3, top, steep, crest
     );
     for (int i = 0; i < n; ++i)
     {
@@ -118,7 +128,7 @@ void impact::relief::setPeriodic
     const int turns = 1 + (2*reliefPiece::guard + n - 1)/n;
     const int lead = ((turns + 1)/2)*n;
     const int total = 2*lead + n + 1;
-    std::vector<double> h(total), Y(total), M(total), work(2*total);
+    std::vector<double> h(total), Y(total), M(total), work(5*total);
     for (int i = 0; i < total; ++i)
     {
         const int k = i % n;
@@ -131,7 +141,7 @@ void impact::relief::setPeriodic
     period_ = period;
     top_ = -1e300;
     table_.resize(n);
-    work.resize(5*n);
+    work.resize(5*wholeVectors(n));
     makeIntervals
     (
         n, 0, h.data() + lead, Y.data() + lead, M.data() + lead,
@@ -331,7 +341,6 @@ impact::reliefPiece::reliefPiece
 void impact::reliefPiece::start(std::uint64_t identity, int n)
 {
     identity_ = identity;
-    intervals_.clear();
     first_ = last_ = 0;
     xFirst_ = xLast_ = 0;
     generate(0, n, false);
@@ -346,7 +355,7 @@ void impact::reliefPiece::generate
 )
 {
     const int n = int(to - from);
-    const std::size_t old = intervals_.size();
+    const std::size_t old = last_ - first_;
     if (front)
     {
         intervals_.insert(intervals_.begin(), n, interval());
@@ -377,13 +386,17 @@ void impact::reliefPiece::generate
     }
 
     const int knots = n + 1 + 2*guard_;
-    spacing_.resize(knots);
-    height_.resize(knots);
-    moment_.resize(knots);
-    work_.resize(5*knots);
+    const std::size_t room = wholeVectors(knots);
+    if (spacing_.size() < room)
+    {
+        spacing_.resize(room);
+        height_.resize(room);
+        moment_.resize(room);
+        work_.resize(5*room);
+    }
     drawKnots
     (
-        seed_, identity_, from - guard_, knots,
+        seed_, identity_, from - guard_, int(room),
         relief_->meanSpacing(), relief_->sigmaSpacing(),
         relief_->sigmaHeight(), spacing_.data(), height_.data()
     );

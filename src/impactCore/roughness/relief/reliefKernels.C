@@ -70,35 +70,71 @@ impactKernel void splineMoments
     const int part = (n + lanes - 1)/lanes;
     if (part < 2*guard)
     {
-        // From both ends at once, each a chain of divisions, to the middle
+        // From both ends at once to the middle. The pivots are ratios of the
+        // determinants of ever more equations, and so are the right sides:
+        // no division waits for another. Spacings in units of one of them
         const int left = n > 2 ? (n - 2)/2 : 0;
+        double* __restrict__ h = work + 2*n;
+        double* __restrict__ diagonal = work + 3*n;
+        double* __restrict__ right = work + 4*n;
+        const double unit = n > 1 ? 1/spacing[1] : 1;
+        for (int k = 1; k < n; ++k)
+        {
+            h[k] = unit*spacing[k];
+        }
+        for (int k = 1; k < n - 1; ++k)
+        {
+            diagonal[k] = 2*(h[k] + h[k + 1]);
+            right[k] = 6*unit*(slope[k + 1] - slope[k]);
+        }
+        struct determinants
+        {
+            double now = 1, before = 0, side = 0;
+
+            //- Another equation: h to the one before, h to the next
+            void add
+            (
+                double h0,
+                double h1,
+                double diagonal,
+                double right,
+                double& ratio,
+                double& moment
+            )
+            {
+                const double next = diagonal*now - (h0*h0)*before;
+                side = right*now - h0*side;
+                const double inverse = 1/next;
+                ratio = h1*now*inverse;
+                moment = side*inverse;
+                before = now;
+                now = next;
+                if (!(now < 1e100 && now > 1e-100))
+                {
+                    before *= inverse;
+                    side *= inverse;
+                    now = 1;
+                }
+            }
+        };
+        determinants fromLeft, fromRight;
         double d = 0, c = 0, f = 0, e = 0;
-        auto fromLeft = [&](int k)
-        {
-            const double h0 = spacing[k], h1 = spacing[k + 1];
-            const double pivot = 1/(2*(h0 + h1) - h0*c);
-            d = (6*(slope[k + 1] - slope[k]) - h0*d)*pivot;
-            c = h1*pivot;
-            ratio[k] = c;
-            moment[k] = d;
-        };
-        auto fromRight = [&](int k)
-        {
-            const double h0 = spacing[k], h1 = spacing[k + 1];
-            const double pivot = 1/(2*(h0 + h1) - h1*e);
-            f = (6*(slope[k + 1] - slope[k]) - h1*f)*pivot;
-            e = h0*pivot;
-            ratio[k] = e;
-            moment[k] = f;
-        };
         for (int k = 1; k <= left; ++k)
         {
-            fromLeft(k);
-            fromRight(n - 1 - k);
+            const int j = n - 1 - k;
+            fromLeft.add(h[k], h[k + 1], diagonal[k], right[k], c, d);
+            ratio[k] = c;
+            moment[k] = d;
+            fromRight.add(h[j + 1], h[j], diagonal[j], right[j], e, f);
+            ratio[j] = e;
+            moment[j] = f;
         }
         if (n - 2 > 2*left)
         {
-            fromRight(left + 1);
+            const int j = left + 1;
+            fromRight.add(h[j + 1], h[j], diagonal[j], right[j], e, f);
+            ratio[j] = e;
+            moment[j] = f;
         }
         double below = (d - c*f)/(1 - c*e);
         moment[left] = left > 0 ? below : 0;

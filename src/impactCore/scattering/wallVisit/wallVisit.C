@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <type_traits>
 
 namespace
@@ -347,23 +348,39 @@ class boxShadow
 {
     const convexBody& body_;
 
-    //- Half the segments, towards x, and by rising slope: shadow, and sides
-    //  of the box with their sense
-    double gx_[3], gy_[3], side_[3];
-    int axis_[3];
+    //- Half a segment, towards x, and the half side of the box along an axis
+    //  that it is the shadow of
+    struct segment
+    {
+        double gx, gy, side;
+        std::int64_t axis;
+    };
+
+    //- By rising slope
+    segment segments_[3];
 
     //- Corners from the centre
     double x_[4], y_[4];
 
-    void order(int a, int b)
+    //- Exchange two segments if need be, bit by bit: a branch would often be
+    //  guessed wrongly
+    static void order(segment& a, segment& b)
     {
-        if (gy_[a]*gx_[b] > gy_[b]*gx_[a])
+        const std::uint64_t mask =
+            -std::uint64_t(a.gy*b.gx > b.gy*a.gx);
+        auto exchange = [mask](auto& p, auto& q)
         {
-            std::swap(gx_[a], gx_[b]);
-            std::swap(gy_[a], gy_[b]);
-            std::swap(side_[a], side_[b]);
-            std::swap(axis_[a], axis_[b]);
-        }
+            typedef std::decay_t<decltype(p)> type;
+            const auto u = __builtin_bit_cast(std::uint64_t, p);
+            const auto v = __builtin_bit_cast(std::uint64_t, q);
+            const std::uint64_t change = (u ^ v) & mask;
+            p = __builtin_bit_cast(type, u ^ change);
+            q = __builtin_bit_cast(type, v ^ change);
+        };
+        exchange(a.gx, b.gx);
+        exchange(a.gy, b.gy);
+        exchange(a.side, b.side);
+        exchange(a.axis, b.axis);
     }
 
 
@@ -378,24 +395,29 @@ public:
     void turn(const rotationState& r)
     {
         const vector3& half = body_.semiAxes();
+        const double ex[3] = {r.ex.x, r.ex.y, r.ex.z};
+        const double ey[3] = {r.ey.x, r.ey.y, r.ey.z};
+        const double sides[3] = {half.x, half.y, half.z};
+        segment s[3];
         for (int k = 0; k < 3; ++k)
         {
-            side_[k] = r.ex[k] < 0 ? -half[k] : half[k];
-            gx_[k] = side_[k]*r.ex[k];
-            gy_[k] = side_[k]*r.ey[k];
-            axis_[k] = k;
+            s[k].side = std::copysign(sides[k], ex[k]);
+            s[k].gx = s[k].side*ex[k];
+            s[k].gy = s[k].side*ey[k];
+            s[k].axis = k;
         }
-        order(0, 1);
-        order(1, 2);
-        order(0, 1);
-        x_[3] = gx_[0] + gx_[1] + gx_[2];
-        y_[3] = gy_[0] + gy_[1] + gy_[2];
+        order(s[0], s[1]);
+        order(s[1], s[2]);
+        order(s[0], s[1]);
+        x_[3] = s[0].gx + s[1].gx + s[2].gx;
+        y_[3] = s[0].gy + s[1].gy + s[2].gy;
         x_[0] = -x_[3];
         y_[0] = -y_[3];
-        x_[1] = x_[0] + 2*gx_[0];
-        y_[1] = y_[0] + 2*gy_[0];
-        x_[2] = x_[3] - 2*gx_[2];
-        y_[2] = y_[3] - 2*gy_[2];
+        x_[1] = x_[0] + 2*s[0].gx;
+        y_[1] = y_[0] + 2*s[0].gy;
+        x_[2] = x_[3] - 2*s[2].gx;
+        y_[2] = y_[3] - 2*s[2].gy;
+        std::copy_n(s, 3, segments_);
     }
 
     //- The lowest point with the centre at (x, y)
@@ -472,7 +494,7 @@ public:
         {
             const double share =
                 k < l.i ? 1 : k < l.j ? 2*l.parameter - 1 : -1;
-            r[axis_[k]] = share*side_[k];
+            r[int(segments_[k].axis)] = share*segments_[k].side;
         }
         return r;
     }
@@ -484,13 +506,10 @@ public:
         vector3 r = point(l);
         for (int k = 0; l.i == l.j && k < 3; ++k)
         {
-            if
-            (
-                gx_[k] < near
-             && std::fabs(gy_[k] - l.slope*gx_[k]) < near
-            )
+            const segment& s = segments_[k];
+            if (s.gx < near && std::fabs(s.gy - l.slope*s.gx) < near)
             {
-                r[axis_[k]] = 0;
+                r[int(s.axis)] = 0;
             }
         }
         return r;
