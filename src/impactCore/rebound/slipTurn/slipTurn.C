@@ -18,20 +18,20 @@ namespace
 
 using namespace impact;
 
-constexpr int points = slipTurn::points;
-
 //- So many at once
 constexpr int lanes = 8;
+constexpr int shortPanel = 16, longPanel = slipTurn::points;
 typedef double row
     __attribute__((vector_size(lanes*sizeof(double)), may_alias));
 typedef std::int64_t rowOfPlaces __attribute__((vector_size(sizeof(row))));
-constexpr int rows = points/lanes;
-static_assert(points % lanes == 0, "whole rows of points");
 
 
 //- Points and weights of Radau on [-1, 1]
+template<int points>
 struct radauPoints
 {
+    static_assert(points % lanes == 0, "whole rows of points");
+
     alignas(64) double x[points] = {};
 
     //- Integral to point j: sum over k of to[k][j] times the value at k
@@ -117,7 +117,8 @@ struct radauPoints
     }
 };
 
-constexpr radauPoints radau;
+template<int points>
+constexpr radauPoints<points> radau;
 
 
 inline const row* asRows(const double* a)
@@ -263,6 +264,13 @@ struct panelInput
 };
 
 
+//- Where its columns go
+struct panelColumns
+{
+    double *w, *s, *cx, *cy, *p, *Z, *v, *work, *rate, *N;
+};
+
+
 impactInline double sumOf(const row& a)
 {
     return
@@ -281,8 +289,10 @@ impactInline double largestOf(const row& a)
 
 
 //- Integrals of values to all points
+template<int points>
 impactInline void integrate(const row* value, row* integral)
 {
+    constexpr int rows = points/lanes;
     row sum[rows] = {};
     #pragma GCC unroll 8
     for (int i = 0; i < rows; ++i)
@@ -291,7 +301,7 @@ impactInline void integrate(const row* value, row* integral)
         for (int l = 0; l < lanes; ++l)
         {
             const double v = value[i][l];
-            const row* to = asRows(radau.to[lanes*i + l]);
+            const row* to = asRows(radau<points>.to[lanes*i + l]);
             #pragma GCC unroll 8
             for (int j = 0; j < rows; ++j)
             {
@@ -308,41 +318,30 @@ impactInline void integrate(const row* value, row* integral)
 
 
 //- The columns of a panel; returns its error
-impactKernel double makePanel
-(
-    const panelInput& q,
-    double* w,
-    double* s,
-    double* cx,
-    double* cy,
-    double* p,
-    double* Z,
-    double* v,
-    double* work,
-    double* rate,
-    double* N
-)
+template<int points>
+impactInline double makePanel(const panelInput& q, const panelColumns& c)
 {
+    constexpr int rows = points/lanes;
     const double half = 0.5*q.length;
     row growth[rows], bySlip[rows], sum[rows];
     #pragma GCC unroll 8
     for (int i = 0; i < rows; ++i)
     {
-        const row along = half*(1 + asRows(radau.x)[i]);
+        const row along = half*(1 + asRows(radau<points>.x)[i]);
         const row z = q.zeta*exponential<row, rowOfPlaces>(along);
         const row H = second(q.H, z);
         const row T = fourth(q.T, z);
         const row inverse = 1/(H*T);
         const row common = q.factor*z*inverse;
         const row unit = T*inverse;
-        asRows(w)[i] = along;
+        asRows(c.w)[i] = along;
         growth[i] = common*fourth(q.R, z);
         bySlip[i] = common*H*H;
-        asRows(cx)[i] = second(q.Ex, z)*unit;
-        asRows(cy)[i] = second(q.Ey, z)*unit;
-        asRows(N)[i] = second(q.N, z)*unit;
+        asRows(c.cx)[i] = second(q.Ex, z)*unit;
+        asRows(c.cy)[i] = second(q.Ey, z)*unit;
+        asRows(c.N)[i] = second(q.N, z)*unit;
     }
-    integrate(growth, sum);
+    integrate<points>(growth, sum);
     row squared[rows];
     row last = {}, before = {}, size = {};
     #pragma GCC unroll 8
@@ -353,30 +352,30 @@ impactKernel double makePanel
         const row bounded = power > 300 ? row{} + 300 : power;
         const row slip =
             q.s0*exponential<row, rowOfPlaces>(bounded < -300 ? row{} - 300 : bounded);
-        asRows(s)[i] = slip;
+        asRows(c.s)[i] = slip;
         const row r = slip*bySlip[i];
-        asRows(rate)[i] = r;
+        asRows(c.rate)[i] = r;
         squared[i] = slip*r;
-        last += asRows(radau.last)[i]*r;
-        before += asRows(radau.before)[i]*r;
+        last += asRows(radau<points>.last)[i]*r;
+        before += asRows(radau<points>.before)[i]*r;
         size = r > size ? r : size;
     }
     row impulse[rows];
-    integrate(asRows(rate), impulse);
-    integrate(squared, sum);
+    integrate<points>(asRows(c.rate), impulse);
+    integrate<points>(squared, sum);
     #pragma GCC unroll 8
     for (int i = 0; i < rows; ++i)
     {
-        const row P = half*impulse[i], slip = asRows(s)[i];
+        const row P = half*impulse[i], slip = asRows(c.s)[i];
         const row z = half*sum[i];
-        const row x = slip*asRows(cx)[i], y = slip*asRows(cy)[i];
+        const row x = slip*asRows(c.cx)[i], y = slip*asRows(c.cy)[i];
         const row dx = x - q.s0*q.cx0, dy = y - q.s0*q.cy0;
         const row b1 = dx - q.f1*P, b2 = dy - q.f2*P;
         const row dv = q.schur*P + (q.g1*dx + q.g2*dy);
-        asRows(p)[i] = P;
-        asRows(Z)[i] = z;
-        asRows(v)[i] = q.v0 + dv;
-        asRows(work)[i] = q.work0
+        asRows(c.p)[i] = P;
+        asRows(c.Z)[i] = z;
+        asRows(c.v)[i] = q.v0 + dv;
+        asRows(c.work)[i] = q.work0
           + 0.5
            *(
                 (q.i11*b1 + q.i12*b2)*(x + q.s0*q.cx0)
@@ -391,8 +390,20 @@ impactKernel double makePanel
 }
 
 
+impactKernel double makeShortPanel(const panelInput& q, const panelColumns& c)
+{
+    return makePanel<shortPanel>(q, c);
+}
+
+impactKernel double makeLongPanel(const panelInput& q, const panelColumns& c)
+{
+    return makePanel<longPanel>(q, c);
+}
+
+
 //- Values in between: s, p, Z at x
-impactKernel void interpolate
+template<int points>
+impactInline void interpolate
 (
     double x,
     const double* s,
@@ -401,14 +412,15 @@ impactKernel void interpolate
     double* value
 )
 {
+    constexpr int rows = points/lanes;
     row all = {}, a = {}, b = {}, c = {};
     #pragma GCC unroll 8
     for (int i = 0; i < rows; ++i)
     {
         // At a point that point alone counts
-        const row distance = x - asRows(radau.x)[i];
+        const row distance = x - asRows(radau<points>.x)[i];
         const row apart = distance == 0 ? row{} + 1e-100 : distance;
-        const row share = asRows(radau.share)[i]/apart;
+        const row share = asRows(radau<points>.share)[i]/apart;
         all += share;
         a += share*asRows(s)[i];
         b += share*asRows(p)[i];
@@ -418,6 +430,31 @@ impactKernel void interpolate
     value[0] = unit*sumOf(a);
     value[1] = unit*sumOf(b);
     value[2] = unit*sumOf(c);
+}
+
+
+impactKernel void interpolateShort
+(
+    double x,
+    const double* s,
+    const double* p,
+    const double* Z,
+    double* value
+)
+{
+    interpolate<shortPanel>(x, s, p, Z, value);
+}
+
+impactKernel void interpolateLong
+(
+    double x,
+    const double* s,
+    const double* p,
+    const double* Z,
+    double* value
+)
+{
+    interpolate<longPanel>(x, s, p, Z, value);
 }
 
 
@@ -666,24 +703,31 @@ bool impact::slipTurn::panel
         );
 
     // Up to the nearest singular point: the sum of its distances from both
-    // ends is 1.45 times the length, which makes terms fall by 10^9.6
-    const double axes = 1.45;
-    double length = 12;
+    // ends is so many times the length that terms fall by 10^9.6
+    const double axes = 1.45, shortAxes = 2.3;
+    double length = 12, shortLength = 12;
     for (int i = 0; i < nSingular_; ++i)
     {
         const double x = singular_[i][0], y = singular_[i][1];
         const double away = std::sqrt(x*x + y*y);
-        length = std::min(length, 2*(axes*away - x)/(axes*axes - 1));
+        length = std::min(length, (axes*away - x)*(2/(axes*axes - 1)));
+        shortLength = std::min
+        (
+            shortLength,
+            (shortAxes*away - x)*(2/(shortAxes*shortAxes - 1))
+        );
     }
     // Slip grows or falls exponentially; the impulse is that long if its rate
     // stays, with a margin
     const double growth = R*byTau;
     length /= 1 + 0.05*std::fabs(growth)*length;
+    shortLength /= 1 + 0.12*std::fabs(growth)*shortLength;
     const double change = 1.5*impulse*R/s;
     const double needed = std::fabs(change) < 0.1
       ? 1.5*impulse/start_.rate*(1 - 0.5*change)
       : change < -0.9975 ? 6/-growth : roughLogarithm(1 + change)/growth;
     length_ = std::min(length, needed);
+    n_ = length_ <= shortLength ? shortPanel : longPanel;
 
     const double share = std::min(1., s/impulse);
     for (int i = 0; i < 4; ++i)
@@ -694,14 +738,23 @@ bool impact::slipTurn::panel
             s, start_.cx, start_.cy, v, work,
             mu_, f1_, f2_, i11_, i12_, i22_, g1_, g2_, schur_
         };
-        const double error = share*makePanel
-        (
-            q, c_.w, c_.s, c_.cx, c_.cy, c_.p, c_.Z, c_.v, c_.work,
-            c_.rate, c_.N
-        );
-        if (error <= tolerance)
+        const panelColumns to =
         {
-            return *std::min_element(c_.N, c_.N + points) > 0;
+            c_.w, c_.s, c_.cx, c_.cy, c_.p, c_.Z, c_.v, c_.work, c_.rate,
+            c_.N
+        };
+        const bool few = n_ == shortPanel;
+        const double error =
+            share*(few ? makeShortPanel(q, to) : makeLongPanel(q, to));
+        // Few points may miss what they do not see
+        if (error <= (few ? 0.05*tolerance : tolerance))
+        {
+            return *std::min_element(c_.N, c_.N + n_) > 0;
+        }
+        if (few)
+        {
+            n_ = longPanel;
+            continue;
         }
         const double ratio = tolerance/error;
         length_ *= 0.9*std::max
@@ -764,7 +817,10 @@ impact::slipTurn::place impact::slipTurn::at(int i) const
 impact::slipTurn::place impact::slipTurn::at(double w) const
 {
     double value[3];
-    interpolate(2*w/length_ - 1, c_.s, c_.p, c_.Z, value);
+    const double x = 2*w/length_ - 1;
+    n_ == shortPanel
+      ? interpolateShort(x, c_.s, c_.p, c_.Z, value)
+      : interpolateLong(x, c_.s, c_.p, c_.Z, value);
     const double zeta = zeta_*exponentialOf(w);
     place q;
     q.w = w;
@@ -802,7 +858,7 @@ void impact::slipTurn::nudge(place& q, double dp) const
 impact::slipTurn::place impact::slipTurn::turningPoint() const
 {
     int i = 0;
-    while (i < points - 1 && c_.v[i] < 0)
+    while (i < n_ - 1 && c_.v[i] < 0)
     {
         ++i;
     }
@@ -838,7 +894,7 @@ impact::slipTurn::place impact::slipTurn::workDone
 {
     // The root of the work from the turning point on is smooth
     int i = 0;
-    while (i < points - 1 && !(c_.w[i] > from.w && c_.work[i] >= work))
+    while (i < n_ - 1 && !(c_.w[i] > from.w && c_.work[i] >= work))
     {
         ++i;
     }
