@@ -42,15 +42,12 @@ void checkRange
 //- Change of the contact point's velocity for an impulse S at it
 vector3 response
 (
-    const vector3& inertia,
+    const vector3& inverseInertia,
     const vector3& r,
     const vector3& S
 )
 {
-    const vector3 m = cross(r, S);
-    const vector3 dOmega =
-        {m.x/inertia.x, m.y/inertia.y, m.z/inertia.z};
-    return S + cross(dOmega, r);
+    return S + cross(multiply(inverseInertia, cross(r, S)), r);
 }
 
 
@@ -703,16 +700,12 @@ struct frictionProcess
                 move(turn, last);
                 return progress::some;
             }
-            start = turn.turningPoint();
             if (e2 == 0)
             {
-                for (int i = 0; i < 2; ++i)
-                {
-                    turn.nudge(start, -start.v/start.N);
-                }
-                move(turn, start);
+                move(turn, turn.stoppingPoint());
                 return progress::all;
             }
+            start = turn.turningPoint();
             compression = start.work;
             restituting = true;
         }
@@ -819,9 +812,10 @@ impact::vector3 impact::reboundLaw::frictionImpulse
         ? cross(n, vector3{1, 0, 0}) : cross(n, vector3{0, 1, 0});
     t1 = (1/mag(t1))*t1;
     const vector3 t2 = cross(n, t1);
-    const vector3 K1 = response(inertia, r, t1);
-    const vector3 K2 = response(inertia, r, t2);
-    const vector3 Kn = response(inertia, r, n);
+    const vector3 inverse = {1/inertia.x, 1/inertia.y, 1/inertia.z};
+    const vector3 K1 = response(inverse, r, t1);
+    const vector3 K2 = response(inverse, r, t2);
+    const vector3 Kn = response(inverse, r, n);
     const double speed0 = mag(Vc0);
     if (!(speed0 > 0))
     {

@@ -401,19 +401,19 @@ impactKernel double makeLongPanel(const panelInput& q, const panelColumns& c)
 }
 
 
-//- Values in between: s, p, Z at x
+//- Values in between, of three columns at x
 template<int points>
-impactInline void interpolate
+impactInline void interpolated
 (
     double x,
-    const double* s,
-    const double* p,
-    const double* Z,
+    const double* a,
+    const double* b,
+    const double* c,
     double* value
 )
 {
     constexpr int rows = points/lanes;
-    row all = {}, a = {}, b = {}, c = {};
+    row all = {}, sumA = {}, sumB = {}, sumC = {};
     #pragma GCC unroll 8
     for (int i = 0; i < rows; ++i)
     {
@@ -422,39 +422,39 @@ impactInline void interpolate
         const row apart = distance == 0 ? row{} + 1e-100 : distance;
         const row share = asRows(radau<points>.share)[i]/apart;
         all += share;
-        a += share*asRows(s)[i];
-        b += share*asRows(p)[i];
-        c += share*asRows(Z)[i];
+        sumA += share*asRows(a)[i];
+        sumB += share*asRows(b)[i];
+        sumC += share*asRows(c)[i];
     }
     const double unit = 1/sumOf(all);
-    value[0] = unit*sumOf(a);
-    value[1] = unit*sumOf(b);
-    value[2] = unit*sumOf(c);
+    value[0] = unit*sumOf(sumA);
+    value[1] = unit*sumOf(sumB);
+    value[2] = unit*sumOf(sumC);
 }
 
 
 impactKernel void interpolateShort
 (
     double x,
-    const double* s,
-    const double* p,
-    const double* Z,
+    const double* a,
+    const double* b,
+    const double* c,
     double* value
 )
 {
-    interpolate<shortPanel>(x, s, p, Z, value);
+    interpolated<shortPanel>(x, a, b, c, value);
 }
 
 impactKernel void interpolateLong
 (
     double x,
-    const double* s,
-    const double* p,
-    const double* Z,
+    const double* a,
+    const double* b,
+    const double* c,
     double* value
 )
 {
-    interpolate<longPanel>(x, s, p, Z, value);
+    interpolated<longPanel>(x, a, b, c, value);
 }
 
 
@@ -814,13 +814,26 @@ impact::slipTurn::place impact::slipTurn::at(int i) const
 }
 
 
+void impact::slipTurn::interpolate
+(
+    double w,
+    const double* a,
+    const double* b,
+    const double* c,
+    double* value
+) const
+{
+    const double x = 2*w/length_ - 1;
+    n_ == shortPanel
+      ? interpolateShort(x, a, b, c, value)
+      : interpolateLong(x, a, b, c, value);
+}
+
+
 impact::slipTurn::place impact::slipTurn::at(double w) const
 {
     double value[3];
-    const double x = 2*w/length_ - 1;
-    n_ == shortPanel
-      ? interpolateShort(x, c_.s, c_.p, c_.Z, value)
-      : interpolateLong(x, c_.s, c_.p, c_.Z, value);
+    interpolate(w, c_.s, c_.p, c_.Z, value);
     const double zeta = zeta_*exponentialOf(w);
     place q;
     q.w = w;
@@ -876,12 +889,25 @@ impact::slipTurn::place impact::slipTurn::turningPoint() const
         if (std::fabs(step) <= 1e-4*length_ || k == 30)
         {
             // Where the velocity is zero the work is least
-            q.work += 0.5*q.v*dp;
             q.w += step;
+            q.p += dp;
+            q.work += 0.5*q.v*dp;
+            q.v = 0;
             return q;
         }
         w = w + step > lo && w + step < hi ? w + step : 0.5*(lo + hi);
     }
+}
+
+
+impact::slipTurn::place impact::slipTurn::stoppingPoint() const
+{
+    place q = at(std::min(std::max(turningPoint().w, 0.), length_));
+    for (int k = 0; k < 3; ++k)
+    {
+        nudge(q, -q.v/q.N);
+    }
+    return q;
 }
 
 

@@ -222,7 +222,13 @@ impact::wallDeparture impact::nonSphericalRebound::depart
         (
             std::min(1024., 3 + descent/scaled_.meanSpacing())
         );
-        piece_.start(key.stream ^ key.seed, stretch);
+
+        // The knots are drawn in whole vectors anyway: use all of them
+        const int knots = stretch + 1 + 2*guardKnots;
+        piece_.start
+        (
+            key.stream ^ key.seed, stretch + ((8 - knots % 8) & 7)
+        );
 
         // Long intervals hold more places than short ones
         const double longest =
