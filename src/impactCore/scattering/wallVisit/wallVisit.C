@@ -430,21 +430,27 @@ public:
     ) const
     {
         std::int64_t n = piece.find(x + x_[0], hint);
-        const std::int64_t first = n;
         const relief::interval* s = &piece.at(n);
-        double crest = s->crest;
-        double gap[4];
+
+        // Second derivative of the relief under the corners, and the least
+        // of it since the last one: it is linear between knots
+        double gap[4], bend[4], least[4];
+        std::int64_t interval[4];
         lowest out;
         out.gap = 1e300;
         out.parameter = 0;
         for (int i = 0; i < 4; ++i)
         {
             const double at = x + x_[i];
+            double knot = 0;
             while (at >= s->x1)
             {
                 s = &piece.at(++n);
-                crest = std::max(crest, s->crest);
+                knot = std::min(knot, 2*s->c2);
             }
+            interval[i] = n;
+            bend[i] = bendIn(*s, at);
+            least[i] = std::min(knot, bend[i]);
             gap[i] = y + y_[i] - heightIn(*s, at);
             if (gap[i] < out.gap)
             {
@@ -454,14 +460,11 @@ public:
                 out.i = out.j = i;
             }
         }
-        if (!(crest > 0))
-        {
-            return out;
-        }
 
         // A crest may reach the inside of an edge: see polygonShadow
         for (int i = 0; i < 3; ++i)
         {
+            const double crest = -std::min(bend[i], least[i + 1]);
             const double dx = x_[i + 1] - x_[i];
             const double bow = 0.5*crest*dx*dx;
             const double low = std::min(gap[i], gap[i + 1]);
@@ -478,7 +481,7 @@ public:
             {
                 x + x_[i], y + y_[i], x + x_[i + 1], y + y_[i + 1], i, i + 1
             };
-            for (std::int64_t k = first; k <= n; ++k)
+            for (std::int64_t k = interval[i]; k <= interval[i + 1]; ++k)
             {
                 e.offerCrest(piece.at(k), out);
             }
