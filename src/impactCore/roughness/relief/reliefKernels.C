@@ -91,51 +91,71 @@ impactKernel void splineMoments
         {
             double now = 1, before = 0, side = 0;
 
-            //- Another equation: h to the one before, h to the next
+            //- Another equation: h to the one before
             void add
             (
                 double h0,
-                double h1,
                 double diagonal,
                 double right,
-                double& ratio,
-                double& moment
+                double& last,
+                double& next,
+                double& nextSide
             )
             {
-                const double next = diagonal*now - (h0*h0)*before;
+                const double another = diagonal*now - (h0*h0)*before;
                 side = right*now - h0*side;
-                const double inverse = 1/next;
-                ratio = h1*now*inverse;
-                moment = side*inverse;
                 before = now;
-                now = next;
+                now = another;
+                last = before;
+                next = now;
+                nextSide = side;
                 if (!(now < 1e100 && now > 1e-100))
                 {
-                    before *= inverse;
-                    side *= inverse;
+                    before /= now;
+                    side /= now;
                     now = 1;
                 }
             }
         };
         determinants fromLeft, fromRight;
-        double d = 0, c = 0, f = 0, e = 0;
         for (int k = 1; k <= left; ++k)
         {
             const int j = n - 1 - k;
-            fromLeft.add(h[k], h[k + 1], diagonal[k], right[k], c, d);
-            ratio[k] = c;
-            moment[k] = d;
-            fromRight.add(h[j + 1], h[j], diagonal[j], right[j], e, f);
-            ratio[j] = e;
-            moment[j] = f;
+            fromLeft.add
+                (h[k], diagonal[k], right[k], ratio[k], slope[k], moment[k]);
+            fromRight.add
+            (
+                h[j + 1], diagonal[j], right[j], ratio[j], slope[j],
+                moment[j]
+            );
         }
         if (n - 2 > 2*left)
         {
             const int j = left + 1;
-            fromRight.add(h[j + 1], h[j], diagonal[j], right[j], e, f);
-            ratio[j] = e;
-            moment[j] = f;
+            fromRight.add
+            (
+                h[j + 1], diagonal[j], right[j], ratio[j], slope[j],
+                moment[j]
+            );
         }
+        for (int k = 1; k < n - 1; ++k)
+        {
+            const double inverse = 1/slope[k];
+            ratio[k] *= inverse;
+            moment[k] *= inverse;
+        }
+        for (int k = 1; k <= left; ++k)
+        {
+            ratio[k] *= h[k + 1];
+        }
+        for (int k = left + 1; k < n - 1; ++k)
+        {
+            ratio[k] *= h[k];
+        }
+        const double c = left > 0 ? ratio[left] : 0;
+        const double d = left > 0 ? moment[left] : 0;
+        const double e = n > 2 ? ratio[left + 1] : 0;
+        const double f = n > 2 ? moment[left + 1] : 0;
         double below = (d - c*f)/(1 - c*e);
         moment[left] = left > 0 ? below : 0;
         double above = f - e*moment[left];

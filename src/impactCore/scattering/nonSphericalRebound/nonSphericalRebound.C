@@ -215,7 +215,7 @@ impact::wallDeparture impact::nonSphericalRebound::depart
         // most have struck before.
         b.y = scaled_.top() + body_.radius();
         const double along = std::min(b.V.x/-b.V.y, 1e4);
-        const double high = 1.5*along*scaled_.sigmaHeight();
+        const double high = 2.3*along*scaled_.sigmaHeight();
         const double descent = b.y*along + 4*body_.radius()
           - (high > 8*scaled_.meanSpacing() ? high : 0);
         const int stretch = int
