@@ -477,7 +477,21 @@ double impact::reliefPiece::firstReach
     std::int64_t n = find(Vx < 0 ? xs + wide : xs - wide, hint);
     hint = n;
     double found = infinite;
-    for (int count = 0; ; ++count, n += step)
+    int count = 0;
+    if (Vx > 0 && Vy < 0)
+    {
+        // On the way down most intervals are left above their tops
+        while
+        (
+            count <= 10000000
+         && bottom + Vy*((at(n).x1 + wide - x)*perX) > at(n).top
+        )
+        {
+            ++n;
+            ++count;
+        }
+    }
+    for (; ; ++count, n += step)
     {
         const relief::interval& s = at(n);
 
