@@ -259,9 +259,10 @@ impactKernel void splineShapes
         const double h = spacing[i + 1];
         const double y0 = height[i], y1 = height[i + 1];
         const double m0 = moment[i], m1 = moment[i + 1];
-        const double b = (y1 - y0)/h - h*(2*m0 + m1)/6;
+        const double perH = 1/h, sixth = 1./6;
+        const double b = (y1 - y0)*perH - h*(2*m0 + m1)*sixth;
         const double q = 0.5*m0;
-        const double p = (m1 - m0)/(6*h);
+        const double p = (m1 - m0)*perH*sixth;
         const double slope1 = b + h*(2*q + 3*h*p);
         const double start = b < 0 ? -b : b;
         const double end = slope1 < 0 ? -slope1 : slope1;
