@@ -351,7 +351,8 @@ impactInline double makePanel(const panelInput& q, const panelColumns& c)
         const row power = half*sum[i];
         const row bounded = power > 300 ? row{} + 300 : power;
         const row slip =
-            q.s0*exponential<row, rowOfPlaces>(bounded < -300 ? row{} - 300 : bounded);
+            q.s0*exponential<row, rowOfPlaces>
+            (bounded < -300 ? row{} - 300 : bounded);
         asRows(c.s)[i] = slip;
         const row r = slip*bySlip[i];
         asRows(c.rate)[i] = r;
