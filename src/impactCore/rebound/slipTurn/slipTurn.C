@@ -23,7 +23,7 @@ constexpr int lanes = 8;
 constexpr int shortPanel = 16, longPanel = slipTurn::points;
 typedef double row
     __attribute__((vector_size(lanes*sizeof(double)), may_alias));
-typedef std::int64_t rowOfPlaces __attribute__((vector_size(sizeof(row))));
+typedef std::uint64_t rowOfPlaces __attribute__((vector_size(sizeof(row))));
 
 
 //- Points and weights of Radau on [-1, 1]
@@ -461,7 +461,7 @@ impactKernel void interpolateLong
 
 double exponentialOf(double x)
 {
-    return exponential<double, std::int64_t>(x);
+    return exponential<double, std::uint64_t>(x);
 }
 
 
