@@ -103,21 +103,6 @@ struct hopBody
 };
 
 
-typedef smoothHops::single single;
-
-impactInline single3 at(const single x[3], int i)
-{
-    return {x[0][i], x[1][i], x[2][i]};
-}
-
-impactInline void put(const single3& v, single x[3], int i)
-{
-    x[0][i] = v.x;
-    x[1][i] = v.y;
-    x[2][i] = v.z;
-}
-
-
 template<int axis>
 impactInline void begin
 (
@@ -200,8 +185,8 @@ impactInline turnedHop turned(const smoothHops& h, int i, float t)
           - f2*(1.f/362880)))));
         q.cf = 1 - f2*(0.5f - f2*(1.f/24 - f2*(1.f/720
           - f2*(1.f/40320 - f2*(1.f/3628800)))));
-        turnAxis<axis>(q.sf, q.cf, q.m.x, q.m.y, q.m.z);
-        turnAxis<axis>(q.sf, q.cf, q.w.x, q.w.y, q.w.z);
+        turnAxis<axis>(q.sf, q.cf, q.m);
+        turnAxis<axis>(q.sf, q.cf, q.w);
     }
     q.rate = cross(q.m, q.w);
     q.bend = cross(q.rate, q.w) + cross(q.m, spinRate<axis>(rateAxis, q.w));
@@ -468,18 +453,12 @@ impactInline void judge
 
         // Those that are still in flight: from here on
         single3 k = k0;
-        turnAxis<axis>(b.sf, b.cf, k.x, k.y, k.z);
+        turnAxis<axis>(b.sf, b.cf, k);
         h.elapsed[i] = still ? elapsed + t : elapsed;
         h.height[i] = still ? y + Vy*t : y;
-        h.m[0][i] = still ? b.m.x : m0.x;
-        h.m[1][i] = still ? b.m.y : m0.y;
-        h.m[2][i] = still ? b.m.z : m0.z;
-        h.spin[0][i] = still ? b.w.x : w0.x;
-        h.spin[1][i] = still ? b.w.y : w0.y;
-        h.spin[2][i] = still ? b.w.z : w0.z;
-        h.k[0][i] = still ? k.x : k0.x;
-        h.k[1][i] = still ? k.y : k0.y;
-        h.k[2][i] = still ? k.z : k0.z;
+        put(chosen(still, b.m, m0), h.m, i);
+        put(chosen(still, b.w, w0), h.spin, i);
+        put(chosen(still, k, k0), h.k, i);
     }
 }
 
@@ -530,13 +509,11 @@ impactInline void precess
     for (int j = 0; j < n; ++j)
     {
         const int i = from + j;
-        const vector3 w = {l.w[0][i], l.w[1][i], l.w[2][i]};
+        const vector3 w = at(l.w, i);
         const vector3 L = multiply(b.J, w);
         const double size = std::sqrt(dot(L, L));
         const double unit = 1/nonZero(size);
-        q.k[0][j] = unit*L.x;
-        q.k[1][j] = unit*L.y;
-        q.k[2][j] = unit*L.z;
+        put(unit*L, q.k, j);
         q.rate[j] = size*b.inverse;
     }
 }
@@ -556,16 +533,16 @@ impactInline void reach
     for (int j = 0; j < n; ++j)
     {
         const int i = from + j;
-        const vector3 m0 = {l.ey[0][i], l.ey[1][i], l.ey[2][i]};
-        const vector3 e0 = {l.ex[0][i], l.ex[1][i], l.ex[2][i]};
-        const vector3 w0 = {l.w[0][i], l.w[1][i], l.w[2][i]};
+        const vector3 m0 = at(l.ey, i);
+        const vector3 e0 = at(l.ex, i);
+        const vector3 w0 = at(l.w, i);
         const double Vy = l.V[1][i];
         const double t = l.end[i];
 
         // With the angles theta = rate t of precession and phi = rateAxis t
         // about the axis of symmetry, a fixed direction in body components is
         // A + B cos(theta) + C sin(theta), turned by -phi
-        const vector3 k = {q.k[0][j], q.k[1][j], q.k[2][j]};
+        const vector3 k = at(q.k, j);
         const double rate = q.rate[j];
         const double rateAxis = b.ratio*b.along(w0);
         double s, c, sf = 0, cf = 1;
@@ -578,8 +555,8 @@ impactInline void reach
         if (axis < 3)
         {
             sinCos(-rateAxis*t, sf, cf);
-            turnAxis<axis>(sf, cf, m.x, m.y, m.z);
-            turnAxis<axis>(sf, cf, w.x, w.y, w.z);
+            turnAxis<axis>(sf, cf, m);
+            turnAxis<axis>(sf, cf, w);
         }
         const vector3 mRate = cross(m, w);
         const vector3 mBend =
@@ -611,22 +588,14 @@ impactInline void reach
             const double sd = f - f*f2*(1./3), cd = 1 - f2;
             const double sf1 = sf*cd + cf*sd;
             const double cf1 = cf*cd - sf*sd;
-            turnAxis<axis>(sf1, cf1, m.x, m.y, m.z);
-            turnAxis<axis>(sf1, cf1, e.x, e.y, e.z);
-            turnAxis<axis>(sf1, cf1, w.x, w.y, w.z);
+            turnAxis<axis>(sf1, cf1, m);
+            turnAxis<axis>(sf1, cf1, e);
+            turnAxis<axis>(sf1, cf1, w);
         }
-        q.ex[0][j] = e.x;
-        q.ex[1][j] = e.y;
-        q.ex[2][j] = e.z;
-        q.ey[0][j] = m.x;
-        q.ey[1][j] = m.y;
-        q.ey[2][j] = m.z;
-        q.w[0][j] = w.x;
-        q.w[1][j] = w.y;
-        q.w[2][j] = w.z;
-        q.r[0][j] = -half.x;
-        q.r[1][j] = -half.y;
-        q.r[2][j] = -half.z;
+        put(e, q.ex, j);
+        put(m, q.ey, j);
+        put(w, q.w, j);
+        put(-half, q.r, j);
     }
 }
 
@@ -648,11 +617,11 @@ impactInline void rebound
     for (int j = 0; j < n; ++j)
     {
         const int i = from + j;
-        const vector3 ex = {q.ex[0][j], q.ex[1][j], q.ex[2][j]};
-        const vector3 m = {q.ey[0][j], q.ey[1][j], q.ey[2][j]};
+        const vector3 ex = at(q.ex, j);
+        const vector3 m = at(q.ey, j);
         const vector3 ez = cross(ex, m);
-        const vector3 w = {q.w[0][j], q.w[1][j], q.w[2][j]};
-        const vector3 r = {q.r[0][j], q.r[1][j], q.r[2][j]};
+        const vector3 w = at(q.w, j);
+        const vector3 r = at(q.r, j);
         const double V0 = l.V[0][i], V1 = l.V[1][i], V2 = l.V[2][i];
         const vector3 V = V0*ex + V1*m + V2*ez;
 
@@ -682,15 +651,9 @@ impactInline void rebound
         l.V[0][i] = V0 + dot(dV, ex);
         l.V[1][i] = Vy1;
         l.V[2][i] = V2 + dot(dV, ez);
-        l.w[0][i] = w1.x;
-        l.w[1][i] = w1.y;
-        l.w[2][i] = w1.z;
-        l.ex[0][i] = ex.x;
-        l.ex[1][i] = ex.y;
-        l.ex[2][i] = ex.z;
-        l.ey[0][i] = m.x;
-        l.ey[1][i] = m.y;
-        l.ey[2][i] = m.z;
+        put(w1, l.w, i);
+        put(ex, l.ex, i);
+        put(m, l.ey, i);
     }
 }
 

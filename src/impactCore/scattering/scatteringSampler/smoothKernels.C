@@ -96,12 +96,8 @@ impactInline void arrive
         threeUnits(w0, w1, w2, w3, u0, u1, u2);
         vector3 ex, ey;
         orient<law>(u0, u1, u2, ex, ey);
-        l.ex[0][i] = ex.x;
-        l.ex[1][i] = ex.y;
-        l.ex[2][i] = ex.z;
-        l.ey[0][i] = ey.x;
-        l.ey[1][i] = ey.y;
-        l.ey[2][i] = ey.z;
+        put(ex, l.ex, i);
+        put(ey, l.ey, i);
         const vector3 ez = cross(ex, ey);
         l.w[0][i] = s0*ex.x + s1*ey.x + s2*ez.x;
         l.w[1][i] = s0*ex.y + s1*ey.y + s2*ez.y;
@@ -262,18 +258,14 @@ impactInline void meetStill
             const int i = from + j;
             vector3 ex, ey;
             orient<law>(q_.u0[j], q_.u1[j], q_.u2[j], ex, ey);
-            l.ex[0][i] = ex.x;
-            l.ex[1][i] = ex.y;
-            l.ex[2][i] = ex.z;
-            l.ey[0][i] = ey.x;
-            l.ey[1][i] = ey.y;
-            l.ey[2][i] = ey.z;
+            put(ex, l.ex, i);
+            put(ey, l.ey, i);
         }
         for (int j = 0; j < m; ++j)
         {
             const int i = from + j;
-            const vector3 ex = {l.ex[0][i], l.ex[1][i], l.ex[2][i]};
-            const vector3 ey = {l.ey[0][i], l.ey[1][i], l.ey[2][i]};
+            const vector3 ex = at(l.ex, i);
+            const vector3 ey = at(l.ey, i);
             const vector3 ez = cross(ex, ey);
             vector3 r;
             l.y[i] = lowest
@@ -292,9 +284,7 @@ impactInline void meetStill
 
             // Work of the impulse at the mean velocity of its point
             const double change = meanAlong*dV0 + meanAway*dV1;
-            l.w[0][i] = w.x;
-            l.w[1][i] = w.y;
-            l.w[2][i] = w.z;
+            put(w, l.w, i);
             l.V[0][i] = V0 + dV0;
             l.V[1][i] = V1 + dV1;
             l.V[2][i] = dV2;
@@ -570,8 +560,8 @@ impactInline void cull
     const double bounce = ellipsoid ? b.normal : 0;
     for (int i = 0; i < n; ++i)
     {
-        const vector3 w = {l.w[0][i], l.w[1][i], l.w[2][i]};
-        const vector3 m = {l.ey[0][i], l.ey[1][i], l.ey[2][i]};
+        const vector3 w = at(l.w, i);
+        const vector3 m = at(l.ey, i);
         const double w2 = dot(w, w);
         const double Vy = l.V[1][i];
         const double y = l.y[i];
@@ -739,11 +729,11 @@ impactKernel void smoothImpact
     const double bounce = b.normal + b.tangential;
     for (int i = 0; i < n; ++i)
     {
-        const vector3 ex = {l.ex[0][i], l.ex[1][i], l.ex[2][i]};
-        const vector3 n_ = {l.ey[0][i], l.ey[1][i], l.ey[2][i]};
+        const vector3 ex = at(l.ex, i);
+        const vector3 n_ = at(l.ey, i);
         const vector3 ez = cross(ex, n_);
-        const vector3 w = {l.w[0][i], l.w[1][i], l.w[2][i]};
-        const vector3 r = {l.r[0][i], l.r[1][i], l.r[2][i]};
+        const vector3 w = at(l.w, i);
+        const vector3 r = at(l.r, i);
         const vector3 V =
             l.V[0][i]*ex + l.V[1][i]*n_ + l.V[2][i]*ez;
 
@@ -768,9 +758,7 @@ impactKernel void smoothImpact
         l.V[1][i] = dot(V2, n_);
         l.V[2][i] = dot(V2, ez);
         const vector3 w2 = w + dw;
-        l.w[0][i] = w2.x;
-        l.w[1][i] = w2.y;
-        l.w[2][i] = w2.z;
+        put(w2, l.w, i);
         l.spinEnergy[i] = J0*w2.x*w2.x + J1*w2.y*w2.y + J2*w2.z*w2.z;
     }
 }

@@ -284,10 +284,10 @@ void impact::scatteringSampler::sampleSmooth
             hopping = removeEnded(hops, n);
             return;
         }
-        int m = packLanes<hopEnd>
+        int m = packLanes<flownColumns>
             (n, hops.outcome, hopOutcome::strikes, hops.ex[0], again.ex[0]);
         m = countStrikes(m);
-        for (int c = 0; c < hopEnd; ++c)
+        for (int c = 0; c < flownColumns; ++c)
         {
             std::fill_n(again.ex[0] + c*smoothStride + m, 8, 0.);
         }
