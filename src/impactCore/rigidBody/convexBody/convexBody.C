@@ -403,6 +403,16 @@ void impact::convexBody::setPolyhedron(surface s)
     }
     setSymmetryAxis();
 
+    isBox_ = vertices_.size() == 8;
+    for (const vector3& v : vertices_)
+    {
+        for (int i = 0; i < 3; ++i)
+        {
+            isBox_ = isBox_
+             && std::fabs(std::fabs(v[i]) - semiAxes_[i]) < 1e-14*radius_;
+        }
+    }
+
     const auto padded = [](std::size_t n) { return (n + 7)/8*8; };
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -446,21 +456,6 @@ double impact::convexBody::leastCurvature() const
     // least <= radius, but the quotient may round up: no ball is larger than
     // the body
     return std::min(least, least*least/radius_);
-}
-
-
-bool impact::convexBody::isBox() const
-{
-    bool box = vertices_.size() == 8;
-    for (const vector3& v : vertices_)
-    {
-        for (int i = 0; i < 3; ++i)
-        {
-            box = box
-             && std::fabs(std::fabs(v[i]) - semiAxes_[i]) < 1e-14*radius_;
-        }
-    }
-    return box;
 }
 
 
