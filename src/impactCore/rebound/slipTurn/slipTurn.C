@@ -23,7 +23,8 @@ constexpr int lanes = 8;
 constexpr int shortPanel = 16, longPanel = slipTurn::points;
 typedef double row
     __attribute__((vector_size(lanes*sizeof(double)), may_alias));
-typedef std::uint64_t rowOfPlaces __attribute__((vector_size(sizeof(row))));
+typedef std::uint64_t rowOfPlaces
+    __attribute__((vector_size(sizeof(row)), may_alias));
 
 
 //- Points and weights of Radau on [-1, 1]
@@ -212,10 +213,14 @@ struct directions
     //- Half the angle of the middles of its cells
     double halfC[cells], halfS[cells];
 
+    //- Bit number i
+    alignas(64) std::uint64_t bit[cells];
+
     directions()
     {
         for (int i = 0; i < cells; ++i)
         {
+            bit[i] = std::uint64_t(1) << i;
             sinCosTurns(double(i)/cells, s[i], c[i]);
             sinCosTurns(2.*i/cells, s2[i], c2[i]);
             sinCosTurns((i + 0.5)/(2*cells), halfS[i], halfC[i]);
@@ -230,7 +235,8 @@ struct directions
 };
 
 
-impactKernel void turningAround
+//- Which of them are positive: bits
+impactKernel std::uint32_t turningAround
 (
     const directions& d,
     double c,
@@ -240,12 +246,21 @@ impactKernel void turningAround
     double* T
 )
 {
+    rowOfPlaces positive = {};
     for (int i = 0; i < directions::cells/lanes; ++i)
     {
-        asRows(T)[i] =
+        const row t =
             (c*asRows(d.c)[i] + s*asRows(d.s)[i])
           + (c2*asRows(d.c2)[i] + s2*asRows(d.s2)[i]);
+        asRows(T)[i] = t;
+        positive |= rowOfPlaces(t > 0)
+          & reinterpret_cast<const rowOfPlaces*>(d.bit)[i];
     }
+    return std::uint32_t
+    (
+        ((positive[0] | positive[1]) | (positive[2] | positive[3]))
+      | ((positive[4] | positive[5]) | (positive[6] | positive[7]))
+    );
 }
 
 
@@ -317,13 +332,20 @@ impactInline void integrate(const row* value, row* integral)
 }
 
 
-//- The columns of a panel; returns its error
+//- What is known of a panel: its error, and the least N
+struct panelQuality
+{
+    double error, least;
+};
+
+
+//- The columns of a panel
 template<int points>
-impactInline double makePanel(const panelInput& q, const panelColumns& c)
+impactInline panelQuality makePanel(const panelInput& q, const panelColumns& c)
 {
     constexpr int rows = points/lanes;
     const double half = 0.5*q.length;
-    row growth[rows], bySlip[rows], sum[rows];
+    row growth[rows], bySlip[rows], sum[rows], least;
     #pragma GCC unroll 8
     for (int i = 0; i < rows; ++i)
     {
@@ -339,7 +361,9 @@ impactInline double makePanel(const panelInput& q, const panelColumns& c)
         bySlip[i] = common*H*H;
         asRows(c.cx)[i] = second(q.Ex, z)*unit;
         asRows(c.cy)[i] = second(q.Ey, z)*unit;
-        asRows(c.N)[i] = second(q.N, z)*unit;
+        const row N = second(q.N, z)*unit;
+        asRows(c.N)[i] = N;
+        least = i == 0 ? N : N < least ? N : least;
     }
     integrate<points>(growth, sum);
     row squared[rows];
@@ -387,16 +411,24 @@ impactInline double makePanel(const panelInput& q, const panelColumns& c)
     }
     const double most =
         std::max(std::fabs(sumOf(last)), std::fabs(sumOf(before)));
-    return most/largestOf(size);
+    return {most/largestOf(size), -largestOf(-least)};
 }
 
 
-impactKernel double makeShortPanel(const panelInput& q, const panelColumns& c)
+impactKernel panelQuality makeShortPanel
+(
+    const panelInput& q,
+    const panelColumns& c
+)
 {
     return makePanel<shortPanel>(q, c);
 }
 
-impactKernel double makeLongPanel(const panelInput& q, const panelColumns& c)
+impactKernel panelQuality makeLongPanel
+(
+    const panelInput& q,
+    const panelColumns& c
+)
 {
     return makePanel<longPanel>(q, c);
 }
@@ -526,21 +558,16 @@ bool impact::slipTurn::begin(const contactResponse& c, double x, double y)
     const double shear = mu_*k12_;
     const directions& around = directions::all();
     alignas(64) double T[directions::cells];
-    turningAround(around, f2_, -f1_, -shear, skew, T);
     constexpr int n = directions::cells;
-    int ahead = 1, behind = n - 1;
-    while (ahead < n && T[ahead] > 0)
-    {
-        ++ahead;
-    }
-    while (behind > 0 && T[behind] > 0)
-    {
-        --behind;
-    }
-    if (!(T[0] > 0) || ahead == n || behind == 0)
+    static_assert(n == 32, "a bit for each");
+    const std::uint32_t others =
+        ~turningAround(around, f2_, -f1_, -shear, skew, T);
+    if (others == 0 || (others & 1))
     {
         return false;
     }
+    const int ahead = __builtin_ctz(others);
+    const int behind = n - 1 - __builtin_clz(others);
 
     // The zero in a cell as half its direction, from its middle; cells have
     // the same share of half a turn
@@ -723,9 +750,9 @@ bool impact::slipTurn::panel
     const double growth = R*byTau;
     length /= 1 + 0.05*std::fabs(growth)*length;
     shortLength /= 1 + 0.12*std::fabs(growth)*shortLength;
-    const double change = 1.5*impulse*R/s;
+    const double change = 1.2*impulse*R/s;
     const double needed = std::fabs(change) < 0.1
-      ? 1.5*impulse/start_.rate*(1 - 0.5*change)
+      ? 1.2*impulse/start_.rate*(1 - 0.5*change)
       : change < -0.9975 ? 6/-growth : roughLogarithm(1 + change)/growth;
     length_ = std::min(length, needed);
     n_ = length_ <= shortLength ? shortPanel : longPanel;
@@ -745,12 +772,13 @@ bool impact::slipTurn::panel
             c_.N
         };
         const bool few = n_ == shortPanel;
-        const double error =
-            share*(few ? makeShortPanel(q, to) : makeLongPanel(q, to));
+        const panelQuality made =
+            few ? makeShortPanel(q, to) : makeLongPanel(q, to);
+        const double error = share*made.error;
         // Few points may miss what they do not see
         if (error <= (few ? 0.05*tolerance : tolerance))
         {
-            return *std::min_element(c_.N, c_.N + n_) > 0;
+            return made.least > 0;
         }
         if (few)
         {
