@@ -36,15 +36,12 @@ int wholeVectors(int n)
 }
 
 
-//- The n cubics between n + 1 knots from x on, spacing[i + 1] that of the
-//  cubic i, from heights and second derivatives; work holds 5 n, and there are
-//  eight knots more behind
+//- The first n of whole vectors of cubics between knots
 void makeIntervals
 (
     int n,
-    double x,
-    const double* spacing,
-    const double* height,
+    const double* x,
+    const double* y,
     const double* moment,
     double* work,
     interval* out
@@ -56,23 +53,14 @@ void makeIntervals
     double* top = work + 2*room;
     double* steep = work + 3*room;
     double* crest = work + 4*room;
-    impact::splineShapes
-    (
-        room, spacing, height, moment, c1, c3, top, steep, crest
-    );
+    impact::splineShapes(room, x, y, moment, c1, c3, top, steep, crest);
     for (int i = 0; i < n; ++i)
     {
-        interval& s = out[i];
-        s.x0 = x;
-        x += spacing[i + 1];
-        s.x1 = x;
-        s.c0 = height[i];
-        s.c1 = c1[i];
-        s.c2 = 0.5*moment[i];
-        s.c3 = c3[i];
-        s.top = top[i];
-        s.steep = steep[i];
-        s.crest = crest[i];
+        out[i] =
+        {
+            x[i], x[i + 1], y[i], c1[i], 0.5*moment[i], c3[i],
+            top[i], steep[i], crest[i]
+        };
     }
 }
 
@@ -141,10 +129,16 @@ void impact::relief::setPeriodic
     period_ = period;
     top_ = -1e300;
     table_.resize(n);
-    work.resize(5*wholeVectors(n));
+    const int room = wholeVectors(n);
+    std::vector<double> X(room + 1, 0);
+    for (int i = 0; i < room; ++i)
+    {
+        X[i + 1] = X[i] + h[lead + i + 1];
+    }
+    work.resize(5*room);
     makeIntervals
     (
-        n, 0, h.data() + lead, Y.data() + lead, M.data() + lead,
+        n, X.data(), Y.data() + lead, M.data() + lead,
         work.data(), table_.data()
     );
     table_[n - 1].x1 = period;
@@ -332,7 +326,7 @@ impact::reliefPiece::reliefPiece
 :
     relief_(&r),
     seed_(seed),
-    guard_(guardKnots)
+    guard_(guardKnots + (guardKnots & 1))
 {
     start(0, 1);
 }
@@ -342,8 +336,7 @@ void impact::reliefPiece::start(std::uint64_t identity, int n)
 {
     identity_ = identity;
     first_ = last_ = 0;
-    xFirst_ = xLast_ = 0;
-    generate(0, n, false);
+    generate(0, std::max(n, atOnce), false);
 }
 
 
@@ -354,84 +347,128 @@ void impact::reliefPiece::generate
     bool front
 )
 {
-    const int n = int(to - from);
+    const bool random = relief_->type() == relief::reliefType::rough;
+    const bool grown = random && last_ > first_;
+
+    // The slope where it meets what is there already. The interval there is
+    // shaped before it gets another neighbour
+    double slope = 0;
+    if (grown)
+    {
+        const relief::interval& s = at(front ? first_ : last_ - 1);
+        const double h = s.x1 - s.x0;
+        slope = front ? s.c1 : s.c1 + h*(2*s.c2 + 3*h*s.c3);
+    }
+
+    // All the knots that are drawn are used, but for one that would leave an
+    // odd number
+    const int before = grown && !front ? 0 : guard_;
+    const int after = grown && front ? 0 : guard_;
+    const int more = before + after + 2;
+    const int room =
+        (int(to - from) + more + drawnAtOnce - 1)/drawnAtOnce*drawnAtOnce;
+    const int n = room - more;
+    (front ? from : to) = front ? to - n : from + n;
     const std::size_t old = last_ - first_;
+    first_ = front ? from : first_;
+    last_ = front ? last_ : to;
+    for (auto* column : {&x_, &y_, &moment_, &ceiling_})
+    {
+        if (front)
+        {
+            column->insert(column->begin(), n, 0);
+        }
+        else
+        {
+            column->resize(old + n + 1);
+        }
+    }
     if (front)
     {
         intervals_.insert(intervals_.begin(), n, interval());
-        first_ = from;
     }
     else
     {
         intervals_.resize(old + n);
-        last_ = to;
     }
-    interval* out = &intervals_[from - first_];
-
-    if (relief_->type() == relief::reliefType::periodic)
+    for (int i = 0; i < n; ++i)
     {
-        const auto& table = relief_->table();
-        const std::int64_t size = std::int64_t(table.size());
+        intervals_[from - first_ + i].steep = -1;
+    }
+
+    const std::size_t at = from - first_;
+    if (!random)
+    {
         for (int i = 0; i < n; ++i)
         {
-            const std::int64_t k = from + i;
-            const std::int64_t turn =
-                k >= 0 ? k/size : -((size - 1 - k)/size);
-            const double shift = double(turn)*relief_->period();
-            out[i] = table[k - turn*size];
-            out[i].x0 += shift;
-            out[i].x1 += shift;
+            const relief::interval s = inTable(from + i);
+            x_[at + i] = s.x0;
+            ceiling_[at + i] = s.top;
+            if (!front)
+            {
+                x_[at + i + 1] = s.x1;
+            }
         }
         return;
     }
 
-    const int knots = n + 1 + 2*guard_;
-    const std::size_t room = wholeVectors(knots);
-    if (spacing_.size() < room)
+    // Room for a knot before, too
+    const std::size_t column = room + lead;
+    if (drawn_.size() < 3*column)
     {
-        spacing_.resize(room);
-        height_.resize(room);
-        moment_.resize(room);
-        work_.resize(5*room);
+        drawn_.resize(3*column);
+        work_.resize(5*column);
     }
+    double* spacing = drawn_.data() + lead;
+    double* height = spacing + column;
+    double* moment = height + column;
     drawKnots
     (
-        seed_, identity_, from - guard_, int(room),
+        seed_, identity_, from - before, room,
         relief_->meanSpacing(), relief_->sigmaSpacing(),
-        relief_->sigmaHeight(), spacing_.data(), height_.data()
+        relief_->sigmaHeight(), spacing, height
     );
+    const int begin = before == 0 ? -1 : 0;
+    const int end = after == 0 ? before + n + 1 : room - 2;
+    if (grown)
+    {
+        spacing[front ? end : 0] = 0;
+        height[front ? end : -1] = slope;
+    }
     splineMoments
     (
-        knots, spacing_.data(), height_.data(), moment_.data(), work_.data()
+        end - begin + 1, spacing + begin, height + begin, moment + begin,
+        work_.data()
     );
-    double x = xLast_;
+    spacing += before;
+    height += before;
+    moment += before;
+    splineCeilings(n, spacing, height, moment, &ceiling_[at]);
+    std::copy_n(height, n + 1, y_.begin() + at);
+    std::copy_n(moment, n + 1, moment_.begin() + at);
     if (front)
     {
-        for (int i = 0; i < n; ++i)
+        for (int i = n - 1; i >= 0; --i)
         {
-            xFirst_ -= spacing_[guard_ + n - i];
+            x_[i] = x_[i + 1] - spacing[i + 1];
         }
-        x = xFirst_;
     }
-    makeIntervals
-    (
-        n, x, spacing_.data() + guard_, height_.data() + guard_,
-        moment_.data() + guard_, work_.data(), out
-    );
-    if (front && std::size_t(n) < intervals_.size())
+    else
     {
-        out[n - 1].x1 = out[n].x0;      // not a round-off apart
-    }
-    if (!front)
-    {
-        xLast_ = out[n - 1].x1;
+        double x = grown ? x_[at] : 0;
+        x_[at] = x;
+        for (int i = 1; i <= n; ++i)
+        {
+            x += spacing[i];
+            x_[at + i] = x;
+        }
     }
 }
 
 
 void impact::reliefPiece::grow(std::int64_t i)
 {
-    const std::int64_t chunk = 16;
+    const std::int64_t chunk = atOnce;
     if (i < first_)
     {
         generate(std::min(i, first_ - chunk), first_, true);
@@ -439,6 +476,45 @@ void impact::reliefPiece::grow(std::int64_t i)
     else if (i >= last_)
     {
         generate(last_, std::max(i + 1, last_ + chunk), false);
+    }
+}
+
+
+impact::relief::interval impact::reliefPiece::inTable(std::int64_t i) const
+{
+    const auto& table = relief_->table();
+    const std::int64_t size = std::int64_t(table.size());
+    const std::int64_t turn = i >= 0 ? i/size : -((size - 1 - i)/size);
+    const double shift = double(turn)*relief_->period();
+    relief::interval s = table[i - turn*size];
+    s.x0 += shift;
+    s.x1 += shift;
+    return s;
+}
+
+
+void impact::reliefPiece::shape(std::int64_t i)
+{
+    // Who is over this one often is over the one before, too
+    const std::int64_t from =
+        std::max(first_, std::min(i - 1, last_ - atOnce));
+    const std::size_t at = from - first_;
+    if (relief_->type() == relief::reliefType::periodic)
+    {
+        for (int k = 0; k < atOnce; ++k)
+        {
+            intervals_[at + k] = inTable(from + k);
+        }
+        return;
+    }
+    // One that is known has a neighbour that was not there then, perhaps
+    double work[5*atOnce];
+    relief::interval made[atOnce];
+    makeIntervals(atOnce, &x_[at], &y_[at], &moment_[at], work, made);
+    for (int k = 0; k < atOnce; ++k)
+    {
+        relief::interval& s = intervals_[at + k];
+        s = s.steep < 0 ? made[k] : s;
     }
 }
 
@@ -481,34 +557,41 @@ double impact::reliefPiece::firstReach
     if (Vx > 0 && Vy < 0)
     {
         // On the way down most intervals are left above their tops
-        while
-        (
-            count <= 10000000
-         && bottom + Vy*((at(n).x1 + wide - x)*perX) > at(n).top
-        )
+        do
         {
-            ++n;
-            ++count;
+            if (n >= last_)
+            {
+                grow(n);
+            }
+            const std::size_t k = n - first_;
+            const int passed = intervalsPassed
+            (
+                int(last_ - n), &x_[k + 1], &ceiling_[k],
+                bottom, Vy, perX, wide - x
+            );
+            n += passed;
+            count += passed;
         }
+        while (n >= last_ && count <= 10000000);
     }
     for (; ; ++count, n += step)
     {
-        const relief::interval& s = at(n);
+        const double x0 = knot(n), x1 = knot(n + 1);
 
         // The rectangle is over this interval from 'enter' to 'leave'
         double enter = start;
         double leave = infinite;
         if (Vx > 0)
         {
-            enter = std::max(start, (s.x0 - wide - x)*perX);
-            leave = (s.x1 + wide - x)*perX;
+            enter = std::max(start, (x0 - wide - x)*perX);
+            leave = (x1 + wide - x)*perX;
         }
         else if (Vx < 0)
         {
-            enter = std::max(start, (s.x1 + wide - x)*perX);
-            leave = (s.x0 - wide - x)*perX;
+            enter = std::max(start, (x1 + wide - x)*perX);
+            leave = (x0 - wide - x)*perX;
         }
-        else if (s.x0 > xs + wide)
+        else if (x0 > xs + wide)
         {
             break;
         }
@@ -516,7 +599,7 @@ double impact::reliefPiece::firstReach
         {
             break;
         }
-        const double room = bottom + Vy*enter - s.top;
+        const double room = bottom + Vy*enter - at(n).top;
         if (room <= 0)
         {
             found = std::min(found, enter);

@@ -27,18 +27,30 @@ impactKernel void drawKnots
     double* __restrict__ height
 )
 {
-    for (int i = 0; i < n; ++i)
+    // The middle of one of 2^32 parts
+    auto unit = [](std::uint64_t word)
     {
-        std::uint64_t w0, w1, w2, w3;
-        philoxLane
-        (
-            seed, std::uint32_t(i0 + i), drawPurpose::knots, identity,
-            w0, w1, w2, w3
-        );
-        const double u = unitOf((w0 << 20) | (w1 >> 12));
-        const double v = unitOf((w2 << 20) | (w3 >> 12));
-        spacing[i] = meanSpacing + sigmaSpacing*truncatedNormal(u);
-        height[i] = sigmaHeight*truncatedNormal(v);
+        return unitOf((word << 20) | 0x80000);
+    };
+    constexpr int pairs = reliefPiece::drawnAtOnce/2;
+    for (int from = 0; from < n; from += 2*pairs)
+    {
+        for (std::int64_t j = 0; j < pairs; ++j)
+        {
+            std::uint64_t w0, w1, w2, w3;
+            philoxLane
+            (
+                seed, std::uint64_t((i0 + from)/2 + j), drawPurpose::knots,
+                identity, w0, w1, w2, w3
+            );
+            const std::int64_t i = from + 2*j;
+            spacing[i] =
+                meanSpacing + sigmaSpacing*truncatedNormal(unit(w0));
+            height[i] = sigmaHeight*truncatedNormal(unit(w1));
+            spacing[i + 1] =
+                meanSpacing + sigmaSpacing*truncatedNormal(unit(w2));
+            height[i + 1] = sigmaHeight*truncatedNormal(unit(w3));
+        }
     }
 }
 
@@ -60,10 +72,16 @@ impactKernel void splineMoments
     const int guard = reliefPiece::guard;
     double* __restrict__ slope = work;
     double* __restrict__ ratio = work + n;
-    for (int k = 1; k < n; ++k)
+    auto slopeOf = [&](int k)
     {
-        slope[k] = (height[k] - height[k - 1])/spacing[k];
+        return (height[k] - height[k - 1])/spacing[k];
+    };
+    for (int k = 2; k < n - 1; ++k)
+    {
+        slope[k] = slopeOf(k);
     }
+    slope[1] = spacing[1] > 0 ? slopeOf(1) : height[0];
+    slope[n - 1] = spacing[n - 1] > 0 ? slopeOf(n - 1) : height[n - 1];
     moment[0] = moment[n - 1] = 0;
     ratio[0] = ratio[n - 1] = 0;
 
@@ -73,11 +91,11 @@ impactKernel void splineMoments
         // From both ends at once to the middle. The pivots are ratios of the
         // determinants of ever more equations, and so are the right sides:
         // no division waits for another. Spacings in units of one of them
-        const int left = n > 2 ? (n - 2)/2 : 0;
+        const int left = (n - 2)/2;
         double* __restrict__ h = work + 2*n;
         double* __restrict__ diagonal = work + 3*n;
         double* __restrict__ right = work + 4*n;
-        const double unit = n > 1 ? 1/spacing[1] : 1;
+        const double unit = 1/spacing[2];
         for (int k = 1; k < n; ++k)
         {
             h[k] = unit*spacing[k];
@@ -241,10 +259,72 @@ impactKernel void splineMoments
 }
 
 
-impactKernel void splineShapes
+impactKernel void splineCeilings
 (
     int n,
     const double* __restrict__ spacing,
+    const double* __restrict__ height,
+    const double* __restrict__ moment,
+    double* __restrict__ ceiling
+)
+{
+    for (int i = 0; i < n; ++i)
+    {
+        // No higher than a parabola of the bend of the sharpest crest through
+        // both ends
+        const double h = spacing[i + 1];
+        const double y0 = height[i], y1 = height[i + 1];
+        const double m0 = moment[i], m1 = moment[i + 1];
+        const double least = m0 < m1 ? m0 : m1;
+        const double higher = y0 > y1 ? y0 : y1;
+        const double bow = 0.5*h*h*positivePart(-least);
+        const double over = positivePart(bow - std::fabs(y1 - y0));
+        ceiling[i] = higher + 0.25*over*over/nonZero(bow);
+    }
+}
+
+
+impactKernel int intervalsPassed
+(
+    int n,
+    const double* __restrict__ x1,
+    const double* __restrict__ ceiling,
+    double bottom,
+    double Vy,
+    double perX,
+    double ahead
+)
+{
+    auto clear = [&](int k)
+    {
+        return bottom + Vy*((x1[k] + ahead)*perX) > ceiling[k];
+    };
+    constexpr int lanes = 8;
+    int passed = 0;
+    for (; passed + lanes <= n; passed += lanes)
+    {
+        int below = 0;
+        for (int i = 0; i < lanes; ++i)
+        {
+            below += clear(passed + i) ? 0 : 1;
+        }
+        if (below > 0)
+        {
+            break;
+        }
+    }
+    while (passed < n && clear(passed))
+    {
+        ++passed;
+    }
+    return passed;
+}
+
+
+impactKernel void splineShapes
+(
+    int n,
+    const double* __restrict__ x,
     const double* __restrict__ height,
     const double* __restrict__ moment,
     double* __restrict__ c1,
@@ -256,7 +336,7 @@ impactKernel void splineShapes
 {
     for (int i = 0; i < n; ++i)
     {
-        const double h = spacing[i + 1];
+        const double h = x[i + 1] - x[i];
         const double y0 = height[i], y1 = height[i + 1];
         const double m0 = moment[i], m1 = moment[i + 1];
         const double perH = 1/h, sixth = 1./6;

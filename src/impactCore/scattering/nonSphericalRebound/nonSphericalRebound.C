@@ -12,8 +12,8 @@ namespace
 
 using namespace impact;
 
-//- A joint of the relief of one visit may show by 1e-7 of the curvature
-constexpr int guardKnots = 12;
+//- The curvature of the relief of one visit may have a step of 3e-5 of it
+constexpr int guardKnots = 8;
 
 constexpr double pi = 3.14159265358979323846;
 
@@ -220,27 +220,33 @@ impact::wallDeparture impact::nonSphericalRebound::depart
           - (high > 8*scaled_.meanSpacing() ? high : 0);
         const int stretch = int
         (
-            std::min(1024., 3 + descent/scaled_.meanSpacing())
+            std::min(1024., 5 + descent/scaled_.meanSpacing())
         );
 
-        // The knots are drawn in whole vectors anyway: use all of them
-        const int knots = stretch + 1 + 2*guardKnots;
-        piece_.start
+        // The body may reach back from where it begins, hardly further than
+        // these
+        const double variation = 3*scaled_.sigmaSpacing();
+        const int before = 1 + int
         (
-            key.stream ^ key.seed, stretch + ((8 - knots % 8) & 7)
+            std::min
+            (
+                1024., body_.radius()/(scaled_.meanSpacing() - variation)
+            )
         );
+        hint = before;
+
+        piece_.start(key.stream ^ key.seed, before + stretch);
 
         // Long intervals hold more places than short ones
-        const double longest =
-            scaled_.meanSpacing() + 3*scaled_.sigmaSpacing();
+        const double longest = scaled_.meanSpacing() + variation;
         for (std::uint32_t attempt = 0; ; ++attempt, ++hint)
         {
             const keyedUnits p(key, attempt, drawPurpose::position);
-            const relief::interval& in = piece_.at(hint);
-            const double length = in.x1 - in.x0;
+            const double begin = piece_.knot(hint);
+            const double length = piece_.knot(hint + 1) - begin;
             if (p.u0*longest < length)
             {
-                b.x = in.x0 + p.u1*length;
+                b.x = begin + p.u1*length;
                 break;
             }
         }

@@ -340,11 +340,11 @@ void impact::scatteringSampler::sampleRandomRelief
                     roughPositions
                         (setup_.seed, attempt, number, 1, &p0, &p1);
                 }
-                const relief::interval& in = piece.at(at);
-                const double length = in.x1 - in.x0;
+                const double begin = piece.knot(at);
+                const double length = piece.knot(at + 1) - begin;
                 if (p0*longest < length)
                 {
-                    arrivals.x[i] = in.x0 + p1*length;
+                    arrivals.x[i] = begin + p1*length;
                     break;
                 }
             }

@@ -211,11 +211,11 @@ impact::bodyState impact::scatteringSampler::arrival
     for (std::uint32_t attempt = 0; ; ++attempt, ++hint)
     {
         const draws p(s.seed, attempt, drawPurpose::position, i);
-        const relief::interval& in = piece.at(hint);
-        const double length = in.x1 - in.x0;
+        const double begin = piece.knot(hint);
+        const double length = piece.knot(hint + 1) - begin;
         if (p.u0*longest < length)
         {
-            b.x = in.x0 + p.u1*length;
+            b.x = begin + p.u1*length;
             return b;
         }
     }
