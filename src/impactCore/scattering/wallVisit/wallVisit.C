@@ -348,40 +348,15 @@ class boxShadow
 {
     const convexBody& body_;
 
-    //- Half a segment, towards x, and the half side of the box along an axis
-    //  that it is the shadow of
-    struct segment
-    {
-        double gx, gy, side;
-        std::int64_t axis;
-    };
+    //- Half of each segment, towards x, by axis of the box; the half side that
+    //  it is the shadow of
+    double gx_[3], gy_[3], side_[3];
 
-    //- By rising slope
-    segment segments_[3];
+    //- Axes of the segments by rising slope
+    const int* order_ = nullptr;
 
     //- Corners from the centre
     double x_[4], y_[4];
-
-    //- Exchange two segments if need be, bit by bit: a branch would often be
-    //  guessed wrongly
-    static void order(segment& a, segment& b)
-    {
-        const std::uint64_t mask =
-            -std::uint64_t(a.gy*b.gx > b.gy*a.gx);
-        auto exchange = [mask](auto& p, auto& q)
-        {
-            typedef std::decay_t<decltype(p)> type;
-            const auto u = __builtin_bit_cast(std::uint64_t, p);
-            const auto v = __builtin_bit_cast(std::uint64_t, q);
-            const std::uint64_t change = (u ^ v) & mask;
-            p = __builtin_bit_cast(type, u ^ change);
-            q = __builtin_bit_cast(type, v ^ change);
-        };
-        exchange(a.gx, b.gx);
-        exchange(a.gy, b.gy);
-        exchange(a.side, b.side);
-        exchange(a.axis, b.axis);
-    }
 
 
 public:
@@ -398,26 +373,36 @@ public:
         const double ex[3] = {r.ex.x, r.ex.y, r.ex.z};
         const double ey[3] = {r.ey.x, r.ey.y, r.ey.z};
         const double sides[3] = {half.x, half.y, half.z};
-        segment s[3];
         for (int k = 0; k < 3; ++k)
         {
-            s[k].side = std::copysign(sides[k], ex[k]);
-            s[k].gx = s[k].side*ex[k];
-            s[k].gy = s[k].side*ey[k];
-            s[k].axis = k;
+            side_[k] = std::copysign(sides[k], ex[k]);
+            gx_[k] = side_[k]*ex[k];
+            gy_[k] = side_[k]*ey[k];
         }
-        order(s[0], s[1]);
-        order(s[1], s[2]);
-        order(s[0], s[1]);
-        x_[3] = s[0].gx + s[1].gx + s[2].gx;
-        y_[3] = s[0].gy + s[1].gy + s[2].gy;
+
+        // From the three comparisons of two: which is steeper cannot be
+        // foreseen, and branches would often be guessed wrongly. Two of the
+        // cases are round-off
+        static constexpr int orders[8][3] =
+        {
+            {0, 1, 2}, {1, 0, 2}, {0, 2, 1}, {2, 1, 0},
+            {0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}
+        };
+        auto steeper = [&](int a, int b)
+        {
+            return int(gy_[a]*gx_[b] > gy_[b]*gx_[a]);
+        };
+        order_ = orders
+            [steeper(0, 1) + 2*steeper(1, 2) + 4*steeper(0, 2)];
+        const int least = order_[0], most = order_[2];
+        x_[3] = gx_[0] + gx_[1] + gx_[2];
+        y_[3] = gy_[0] + gy_[1] + gy_[2];
         x_[0] = -x_[3];
         y_[0] = -y_[3];
-        x_[1] = x_[0] + 2*s[0].gx;
-        y_[1] = y_[0] + 2*s[0].gy;
-        x_[2] = x_[3] - 2*s[2].gx;
-        y_[2] = y_[3] - 2*s[2].gy;
-        std::copy_n(s, 3, segments_);
+        x_[1] = x_[0] + 2*gx_[least];
+        y_[1] = y_[0] + 2*gy_[least];
+        x_[2] = x_[3] - 2*gx_[most];
+        y_[2] = y_[3] - 2*gy_[most];
     }
 
     //- The lowest point with the centre at (x, y)
@@ -436,9 +421,6 @@ public:
         // of it since the last one: it is linear between knots
         double gap[4], bend[4], least[4];
         std::int64_t interval[4];
-        lowest out;
-        out.gap = 1e300;
-        out.parameter = 0;
         for (int i = 0; i < 4; ++i)
         {
             const double at = x + x_[i];
@@ -452,14 +434,18 @@ public:
             bend[i] = bendIn(*s, at);
             least[i] = std::min(knot, bend[i]);
             gap[i] = y + y_[i] - heightIn(*s, at);
-            if (gap[i] < out.gap)
-            {
-                out.gap = gap[i];
-                out.x = at;
-                out.slope = slopeIn(*s, at);
-                out.i = out.j = i;
-            }
         }
+
+        // Which is the lowest cannot be foreseen: no branches
+        const int a = gap[1] < gap[0];
+        const int b = 2 + (gap[3] < gap[2]);
+        const int best = a + (b - a)*(gap[b] < gap[a]);
+        lowest out;
+        out.gap = gap[best];
+        out.x = x + x_[best];
+        out.slope = slopeIn(piece.at(interval[best]), out.x);
+        out.i = out.j = best;
+        out.parameter = 0;
 
         // A crest may reach the inside of an edge: see polygonShadow
         for (int i = 0; i < 3; ++i)
@@ -469,11 +455,10 @@ public:
             const double bow = 0.5*crest*dx*dx;
             const double low = std::min(gap[i], gap[i + 1]);
             const double rise = std::fabs(gap[i + 1] - gap[i]);
-            if
-            (
-                rise >= bow
-             || 4*bow*(low - out.gap) >= (bow - rise)*(bow - rise)
-            )
+            const double rest = bow - rise;
+            const bool reaches =
+                (rest > 0) & (4*bow*(low - out.gap) < rest*rest);
+            if (!reaches)
             {
                 continue;
             }
@@ -497,7 +482,7 @@ public:
         {
             const double share =
                 k < l.i ? 1 : k < l.j ? 2*l.parameter - 1 : -1;
-            r[int(segments_[k].axis)] = share*segments_[k].side;
+            r[order_[k]] = share*side_[order_[k]];
         }
         return r;
     }
@@ -509,10 +494,9 @@ public:
         vector3 r = point(l);
         for (int k = 0; l.i == l.j && k < 3; ++k)
         {
-            const segment& s = segments_[k];
-            if (s.gx < near && std::fabs(s.gy - l.slope*s.gx) < near)
+            if (gx_[k] < near && std::fabs(gy_[k] - l.slope*gx_[k]) < near)
             {
-                r[int(s.axis)] = 0;
+                r[k] = 0;
             }
         }
         return r;
@@ -1104,7 +1088,7 @@ impact::contactPoint impact::wallVisit::search
             const double end = std::max(xa, xb) + R;
             std::int64_t n = piece.find(begin, hint);
             hint = n;
-            for (; piece.at(n).x0 < end; ++n)
+            for (; piece.knot(n) < end; ++n)
             {
                 // The bend is linear in between
                 const relief::interval& s = piece.at(n);
