@@ -163,7 +163,7 @@ impact::wallDeparture impact::nonSphericalRebound::depart
     if (random)
     {
         const double speed = mag(V);
-        const double least = std::sin(leastIncidence*pi/180);
+        static const double least = std::sin(leastIncidence*pi/180);
         if (-V.y < least*speed)
         {
             const double along = std::hypot(V.x, V.z);

@@ -861,7 +861,8 @@ impact::wallVisit::wallVisit
     body_(&body),
     law_(law),
     treatment_(treatment),
-    maxImpacts_(maxImpacts)
+    maxImpacts_(maxImpacts),
+    skewness_(freeRotation::skewness(body))
 {}
 
 
@@ -888,12 +889,11 @@ impact::contactPoint impact::wallVisit::search
     // The body is the union of balls of its least radius of curvature; a
     // point of a ball may be taken to move with the centre of the ball
     const double lever = R - body_->leastCurvature();
-    const double skewness = freeRotation::skewness(*body_);
     const double acceleration =
-        lever*omega*omega*(1 + skewness);
-    const double accelerationOfPoint = R*omega*omega*(1 + skewness);
+        lever*omega*omega*(1 + skewness_);
+    const double accelerationOfPoint = R*omega*omega*(1 + skewness_);
     const double jerk =
-        R*omega*omega*omega*(1 + 2*skewness)*(1 + 2*skewness);
+        R*omega*omega*omega*(1 + 2*skewness_)*(1 + 2*skewness_);
     const double speed =
         std::sqrt(state.V.x*state.V.x + state.V.y*state.V.y);
     const double fastest = speed + omega*R;
