@@ -15,8 +15,8 @@ namespace
 #ifdef impactPacks
 
 // Compilers do not find the instruction that packs numbers themselves. (To pack
-// the columns of the lanes with it brings nothing: the stores, at any address,
-// take as long as those of single numbers.)
+// columns of double precision with it brings nothing: the stores, at any
+// address, take as long as those of single numbers.)
 
 //- Does this machine have them?
 const bool packs = __builtin_cpu_supports("x86-64-v4");
@@ -48,6 +48,42 @@ __attribute__((target("arch=x86-64-v4"))) int findVector
     return found;
 }
 
+
+__attribute__((target("arch=x86-64-v4"))) int packVector
+(
+    int n,
+    const int* mark,
+    int value,
+    int columns,
+    std::size_t stride,
+    const int* from,
+    int* to
+)
+{
+    const __m512i wanted = _mm512_set1_epi32(value);
+    const __m512i lane = _mm512_setr_epi32
+        (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+    int found = 0;
+    for (int i = 0; i < n; i += 16)
+    {
+        const unsigned rest = n - i < 16 ? (1u << (n - i)) - 1 : 0xffffu;
+        const __mmask16 m = _mm512_mask_cmpeq_epi32_mask
+            (__mmask16(rest), _mm512_loadu_si512(mark + i), wanted);
+        const __m512i places = _mm512_maskz_compress_epi32(m, lane);
+        for (int c = 0; c < columns; ++c)
+        {
+            const __m512i x = _mm512_loadu_si512(from + c*stride + i);
+            _mm512_storeu_si512
+            (
+                to + c*stride + found,
+                _mm512_maskz_permutexvar_epi32(0xffff, places, x)
+            );
+        }
+        found += __builtin_popcount(m);
+    }
+    return found;
+}
+
 #endif
 
 
@@ -58,6 +94,38 @@ int findPlain(int n, const int* mark, int value, int* list)
     {
         list[found] = i;
         found += mark[i] == value;
+    }
+    return found;
+}
+
+
+int packPlain
+(
+    int n,
+    const int* mark,
+    int value,
+    int columns,
+    std::size_t stride,
+    const int* from,
+    int* to
+)
+{
+    // By pieces: no room is asked for
+    const int piece = 256;
+    int list[piece + 1];
+    int found = 0;
+    for (int i = 0; i < n; i += piece)
+    {
+        const int more =
+            findPlain(n - i < piece ? n - i : piece, mark + i, value, list);
+        for (int c = 0; c < columns; ++c)
+        {
+            for (int k = 0; k < more; ++k)
+            {
+                to[c*stride + found + k] = from[c*stride + i + list[k]];
+            }
+        }
+        found += more;
     }
     return found;
 }
@@ -74,4 +142,27 @@ int impact::findLanes(int n, const int* mark, int value, int* list)
     }
     #endif
     return findPlain(n, mark, value, list);
+}
+
+
+int impact::packColumns
+(
+    int n,
+    const int* mark,
+    int value,
+    int columns,
+    std::size_t stride,
+    const void* from,
+    void* to
+)
+{
+    const int* f = static_cast<const int*>(from);
+    int* t = static_cast<int*>(to);
+    #ifdef impactPacks
+    if (packs)
+    {
+        return packVector(n, mark, value, columns, stride, f, t);
+    }
+    #endif
+    return packPlain(n, mark, value, columns, stride, f, t);
 }

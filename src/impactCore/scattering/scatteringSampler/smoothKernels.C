@@ -5,8 +5,6 @@
 #include "vectorTargets.H"
 
 #include "smoothInline.H"
-#include "orientation.H"
-#include "philoxLanes.H"
 
 namespace
 {
@@ -204,17 +202,10 @@ impactInline vector3 spinJump
 }
 
 
-//- What the loops of meetStill() hand on
-struct drawScratch
-{
-    double u0[lanesAtOnce], u1[lanesAtOnce], u2[lanesAtOnce];
-};
-
-
-//- Arrival and first impact of bodies that do not turn before it. All of them
-//  approach alike: with V the velocity and n the normal, the change of velocity
-//  at the contact point is the same in laboratory components
-template<orientationLaw law, bool ellipsoid>
+//- Arrival and first impact of ellipsoids that do not turn before it. All of
+//  them approach alike: with V the velocity and n the normal, the change of
+//  velocity at the contact point is the same in laboratory components
+template<orientationLaw law>
 impactInline void meetStill
 (
     std::uint64_t seed,
@@ -222,11 +213,9 @@ impactInline void meetStill
     int n,
     const double* V,
     const smoothBody& b,
-    bool decide,
     smoothLanes& __restrict__ l
 )
 {
-    const int ifSinks = decide ? 0 : 1;
     const double a0 = b.a[0], a1 = b.a[1], a2 = b.a[2];
     const double J0 = b.J[0], J1 = b.J[1], J2 = b.J[2];
     const double V0 = V[0], V1 = V[1];
@@ -235,52 +224,25 @@ impactInline void meetStill
     const double meanAlong = V0 + 0.5*along;
     const double meanAway = V1 + 0.5*away;
     const double needed = 1e-12*0.5*(V0*V0 + V1*V1);
-    drawScratch q_;
     for (int from = 0; from < n; from += lanesAtOnce)
     {
         const int m = n - from < lanesAtOnce ? n - from : lanesAtOnce;
-        for (int j = 0; j < m; ++j)
+        drawOrientations<law>(seed, first + from, from, m, l);
+        for (int i = from; i < from + m; ++i)
         {
-            std::uint64_t w0, w1, w2, w3;
-            philoxLane
-            (
-                seed, 0, drawPurpose::orientation,
-                std::uint64_t(first + from + j), w0, w1, w2, w3
-            );
-            double u0, u1, u2;
-            threeUnits(w0, w1, w2, w3, u0, u1, u2);
-            q_.u0[j] = u0;
-            q_.u1[j] = u1;
-            q_.u2[j] = u2;
-        }
-        for (int j = 0; j < m; ++j)
-        {
-            const int i = from + j;
-            vector3 ex, ey;
-            orient<law>(q_.u0[j], q_.u1[j], q_.u2[j], ex, ey);
-            put(ex, l.ex, i);
-            put(ey, l.ey, i);
-        }
-        for (int j = 0; j < m; ++j)
-        {
-            const int i = from + j;
             const vector3 ex = at(l.ex, i);
             const vector3 ey = at(l.ey, i);
             const vector3 ez = cross(ex, ey);
             vector3 r;
             l.y[i] = lowest
-            (
-                ellipsoid, a0, a1, a2, ey.x, ey.y, ey.z, r.x, r.y, r.z
-            );
+                (true, a0, a1, a2, ey.x, ey.y, ey.z, r.x, r.y, r.z);
             const vector3 dVc = along*ex + away*ey;
 
-            const vector3 w = ellipsoid
-              ? spinJump({J0, J1, J2}, r, dVc) : cornerJump(b, r, dVc);
+            const vector3 w = spinJump({J0, J1, J2}, r, dVc);
             const vector3 lever = cross(w, r);
             const double dV0 = along - dot(lever, ex);
             const double dV1 = away - dot(lever, ey);
             const double dV2 = -dot(lever, ez);
-            const double spin = J0*w.x*w.x + J1*w.y*w.y + J2*w.z*w.z;
 
             // Work of the impulse at the mean velocity of its point
             const double change = meanAlong*dV0 + meanAway*dV1;
@@ -292,13 +254,6 @@ impactInline void meetStill
             l.contacts[i] = 1;
             l.pulling[i] = dV1 < 0 ? 1. : 0.;
             l.gaining[i] = change > needed ? 1. : 0.;
-            l.spinEnergy[i] = spin;
-            if (!ellipsoid)
-            {
-                const double Vy = V1 + dV1;
-                const int stays = boxLeaves(b, l.y[i], Vy, w, ey) ? 0 : 1;
-                l.mayReturn[i] = Vy > 0 ? stays : ifSinks;
-            }
         }
     }
 }
@@ -325,7 +280,6 @@ impactInline void meetSphere
     const double gaining =
         change > 1e-12*0.5*(V[0]*V[0] + V[1]*V[1]) ? 1. : 0.;
     const double approach = -V[1], pulling = dV1 < 0 ? 1. : 0.;
-    const double spinEnergy = J*wz*wz;
     for (int i = 0; i < n; ++i)
     {
         l.ex[0][i] = 1;
@@ -345,7 +299,6 @@ impactInline void meetSphere
         l.contacts[i] = 1;
         l.pulling[i] = pulling;
         l.gaining[i] = gaining;
-        l.spinEnergy[i] = spinEnergy;
     }
 }
 
@@ -358,21 +311,16 @@ impactInline void meetAny
     int n,
     const double* V,
     const smoothBody& b,
-    bool decide,
     smoothLanes& l
 )
 {
-    if (b.axis == 3 && b.ellipsoid)
+    if (b.axis == 3)
     {
         meetSphere(n, V, b, l);
     }
-    else if (b.ellipsoid)
-    {
-        meetStill<law, true>(seed, first, n, V, b, decide, l);
-    }
     else
     {
-        meetStill<law, false>(seed, first, n, V, b, decide, l);
+        meetStill<law>(seed, first, n, V, b, l);
     }
 }
 
@@ -557,6 +505,7 @@ impactInline void cull
     const double R = b.radius;
     const double offset = b.offset;
     const double bend = b.bend;
+    const vector3 a = {b.a[0], b.a[1], b.a[2]};
     const double bounce = ellipsoid ? b.normal : 0;
     for (int i = 0; i < n; ++i)
     {
@@ -572,7 +521,7 @@ impactInline void cull
         // already)
         const double rise = bounce*l.approach[i];
         const double needed = bend*w2*(R - y);
-        const bool gone = box ? boxLeaves(b, y, Vy, w, m) : (Vy > 0)
+        const bool gone = box ? boxLeaves(a, R, bend, 1e-9, y, Vy, w, m) : (Vy > 0)
           & ((Vy*Vy >= offset*offset*w2) | (2*rise*Vy >= needed));
         const int stays = gone ? 0 : 1;
         l.mayReturn[i] = Vy > 0 ? stays : ifSinks;
@@ -702,17 +651,16 @@ impactKernel void smoothMeet
     int n,
     const double V[3],
     const smoothBody& b,
-    bool decide,
     smoothLanes& l
 )
 {
     if (isotropic)
     {
-        meetAny<orientationLaw::isotropic>(seed, first, n, V, b, decide, l);
+        meetAny<orientationLaw::isotropic>(seed, first, n, V, b, l);
     }
     else
     {
-        meetAny<orientationLaw::uniformEuler>(seed, first, n, V, b, decide, l);
+        meetAny<orientationLaw::uniformEuler>(seed, first, n, V, b, l);
     }
 }
 
@@ -759,7 +707,32 @@ impactKernel void smoothImpact
         l.V[2][i] = dot(V2, ez);
         const vector3 w2 = w + dw;
         put(w2, l.w, i);
-        l.spinEnergy[i] = J0*w2.x*w2.x + J1*w2.y*w2.y + J2*w2.z*w2.z;
+    }
+}
+
+
+impactKernel void smoothRecord
+(
+    int from,
+    int n,
+    const smoothBody& b,
+    const smoothLanes& __restrict__ l,
+    int to,
+    const smoothResults& results
+)
+{
+    const double J0 = b.J[0], J1 = b.J[1], J2 = b.J[2];
+    double* __restrict__ Vx = results.V[0] + to;
+    double* __restrict__ Vy = results.V[1] + to;
+    double* __restrict__ Vz = results.V[2] + to;
+    double* __restrict__ spinEnergy = results.spinEnergy + to;
+    for (int i = 0; i < n; ++i)
+    {
+        const vector3 w = at(l.w, from + i);
+        Vx[i] = l.V[0][from + i];
+        Vy[i] = l.V[1][from + i];
+        Vz[i] = l.V[2][from + i];
+        spinEnergy[i] = J0*w.x*w.x + J1*w.y*w.y + J2*w.z*w.z;
     }
 }
 
