@@ -304,7 +304,11 @@ TEST(scatteringSampler, followsManyBodiesAsTheGeneralSearchFollowsOne)
 
     // On the smooth wall, whose kernels take boxes to the end of a hop at once
     const std::shared_ptr<const relief> smooth;
-    for (const convexBody& body : {brick, cube, plate, needle, egg, lens})
+    const convexBody block = convexBody::box({a, 0.8*a, 0.6*a});
+    for
+    (
+        const convexBody& body : {brick, cube, plate, needle, block, egg, lens}
+    )
     {
         for (const auto treatment : {exit, once})
         {
@@ -376,6 +380,42 @@ TEST(scatteringSampler, followsManyBodiesAsTheGeneralSearchFollowsOne)
             r.mean(S::rotational)*n*s.speed*s.speed, rotational,
             1e-4*rotational + 1e-30
         ) << "variant " << k;
+    }
+}
+
+
+TEST(scatteringSampler, capsVisitsToASmoothWallAsTheGeneralSearchDoes)
+{
+    for
+    (
+        const convexBody& body :
+        {
+            convexBody::box({a, 0.8*a, 0.8*a}),
+            convexBody::ellipsoid({0.3*a, a, a})
+        }
+    )
+    {
+        for (int most : {1, 2, 3})
+        {
+            scatteringSampler::setup s = basic(body);
+            s.maxImpacts = most;
+            const int n = 8192;
+            const scatteringStatistics r = run(s, n);
+            double impacts = 0, second = 0, capped = 0;
+            for (const visitResult& one : scatteringSampler(s).visits(0, n))
+            {
+                impacts += one.impacts + one.microImpacts;
+                second += one.second;
+                capped += one.capped;
+            }
+            EXPECT_GT(capped, most < 3 ? 10 : 0);
+            EXPECT_NEAR(r.count(S::capped), capped, 1);
+            EXPECT_NEAR(r.count(S::secondImpact), second, 1);
+            EXPECT_NEAR
+            (
+                r.count(S::impacts) + r.count(S::microImpacts), impacts, 2
+            );
+        }
     }
 }
 
