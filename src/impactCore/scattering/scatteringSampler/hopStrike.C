@@ -123,20 +123,7 @@ impactInline void meet
     const double ifSinks = decide ? gone : again;
     const vector3 a = {b.a[0], b.a[1], b.a[2]};
     const double perRadius = 1/b.radius;
-    const single3 as =
-    {
-        float(a.x*perRadius), float(a.y*perRadius), float(a.z*perRadius)
-    };
-    const double V0 = V[0], V1 = V[1];
-
-    // All of them approach alike: with V the velocity and n the normal, the
-    // change of velocity at the contact point is the same in laboratory
-    // components
-    const double along = (b.tangential - 1)*V0;
-    const double away = -(1 + b.normal)*V1;
-    const double meanAlong = V0 + 0.5*along;
-    const double meanAway = V1 + 0.5*away;
-    const double needed = 1e-12*0.5*(V0*V0 + V1*V1);
+    const stillApproach arrival(V, b);
     std::int64_t pulling = 0, gaining = 0, into = 0;
     hopStart q;
     for (int from = 0; from < n; from += lanesAtOnce)
@@ -148,26 +135,19 @@ impactInline void meet
             const int i = to + from + j;
             const vector3 ex = at(l.ex, i);
             const vector3 ey = at(l.ey, i);
-            const vector3 ez = cross(ex, ey);
             const vector3 r = -signedHalf(a, ey);
             const double y = -dot(r, ey);
-            const vector3 dVc = along*ex + away*ey;
-            const vector3 w = cornerJump(b, r, dVc);
-            const vector3 lever = cross(w, r);
-            const double dV0 = along - dot(lever, ex);
-            const double dV1 = away - dot(lever, ey);
-            const double dV2 = -dot(lever, ez);
-
-            // Work of the impulse at the mean velocity of its point
-            const double change = meanAlong*dV0 + meanAway*dV1;
-            const double Vy = V1 + dV1;
-            pulling += dV1 < 0;
-            gaining += change > needed;
+            const vector3 w =
+                cornerJump(b, r, arrival.contactChange(ex, ey));
+            const vector3 dV = arrival.change(ex, ey, w, r);
+            const double Vy = arrival.V1 + dV.y;
+            pulling += dV.y < 0;
+            gaining += arrival.gains(dV);
             into += Vy <= 0;
             put(w, l.w, i);
-            l.V[0][i] = V0 + dV0;
+            l.V[0][i] = arrival.V0 + dV.x;
             l.V[1][i] = Vy;
-            l.V[2][i] = dV2;
+            l.V[2][i] = dV.z;
             q.outcome[j] = Vy > 0 ? again : ifSinks;
             beginHop(perRadius, y, Vy, w, j, q);
         }
@@ -179,7 +159,7 @@ impactInline void meet
             h.contacts[k] = 1;
         }
     }
-    cull(0, n, as, float(b.bend/b.radius), h);
+    cull(0, n, singleHalf(b), float(b.bend/b.radius), h);
     counts[1] = int(pulling);
     counts[2] = int(gaining);
     counts[3] = int(into);

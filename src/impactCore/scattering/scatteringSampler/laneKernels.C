@@ -22,6 +22,20 @@ namespace
 const bool packs = __builtin_cpu_supports("x86-64-v4");
 
 
+//- Which of 16 lanes, of which n count, have the mark
+__attribute__((target("arch=x86-64-v4"))) inline __mmask16 markedVector
+(
+    int n,
+    const int* mark,
+    __m512i wanted
+)
+{
+    const unsigned counted = n < 16 ? (1u << n) - 1 : 0xffffu;
+    return _mm512_mask_cmpeq_epi32_mask
+        (__mmask16(counted), _mm512_loadu_si512(mark), wanted);
+}
+
+
 __attribute__((target("arch=x86-64-v4"))) int findVector
 (
     int n,
@@ -37,9 +51,7 @@ __attribute__((target("arch=x86-64-v4"))) int findVector
     int found = 0;
     for (int i = 0; i < n; i += 16)
     {
-        const unsigned rest = n - i < 16 ? (1u << (n - i)) - 1 : 0xffffu;
-        const __mmask16 m = _mm512_mask_cmpeq_epi32_mask
-            (__mmask16(rest), _mm512_loadu_si512(mark + i), wanted);
+        const __mmask16 m = markedVector(n - i, mark + i, wanted);
         _mm512_storeu_si512
             (list + found, _mm512_maskz_compress_epi32(m, lane));
         found += __builtin_popcount(m);
@@ -66,9 +78,7 @@ __attribute__((target("arch=x86-64-v4"))) int packVector
     int found = 0;
     for (int i = 0; i < n; i += 16)
     {
-        const unsigned rest = n - i < 16 ? (1u << (n - i)) - 1 : 0xffffu;
-        const __mmask16 m = _mm512_mask_cmpeq_epi32_mask
-            (__mmask16(rest), _mm512_loadu_si512(mark + i), wanted);
+        const __mmask16 m = markedVector(n - i, mark + i, wanted);
         const __m512i places = _mm512_maskz_compress_epi32(m, lane);
         for (int c = 0; c < columns; ++c)
         {

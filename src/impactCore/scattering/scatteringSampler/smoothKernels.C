@@ -202,9 +202,7 @@ impactInline vector3 spinJump
 }
 
 
-//- Arrival and first impact of ellipsoids that do not turn before it. All of
-//  them approach alike: with V the velocity and n the normal, the change of
-//  velocity at the contact point is the same in laboratory components
+//- Arrival and first impact of ellipsoids that do not turn before it
 template<orientationLaw law>
 impactInline void meetStill
 (
@@ -218,12 +216,7 @@ impactInline void meetStill
 {
     const double a0 = b.a[0], a1 = b.a[1], a2 = b.a[2];
     const double J0 = b.J[0], J1 = b.J[1], J2 = b.J[2];
-    const double V0 = V[0], V1 = V[1];
-    const double along = (b.tangential - 1)*V0;
-    const double away = -(1 + b.normal)*V1;
-    const double meanAlong = V0 + 0.5*along;
-    const double meanAway = V1 + 0.5*away;
-    const double needed = 1e-12*0.5*(V0*V0 + V1*V1);
+    const stillApproach arrival(V, b);
     for (int from = 0; from < n; from += lanesAtOnce)
     {
         const int m = n - from < lanesAtOnce ? n - from : lanesAtOnce;
@@ -232,28 +225,20 @@ impactInline void meetStill
         {
             const vector3 ex = at(l.ex, i);
             const vector3 ey = at(l.ey, i);
-            const vector3 ez = cross(ex, ey);
             vector3 r;
             l.y[i] = lowest
                 (true, a0, a1, a2, ey.x, ey.y, ey.z, r.x, r.y, r.z);
-            const vector3 dVc = along*ex + away*ey;
-
-            const vector3 w = spinJump({J0, J1, J2}, r, dVc);
-            const vector3 lever = cross(w, r);
-            const double dV0 = along - dot(lever, ex);
-            const double dV1 = away - dot(lever, ey);
-            const double dV2 = -dot(lever, ez);
-
-            // Work of the impulse at the mean velocity of its point
-            const double change = meanAlong*dV0 + meanAway*dV1;
+            const vector3 w =
+                spinJump({J0, J1, J2}, r, arrival.contactChange(ex, ey));
+            const vector3 dV = arrival.change(ex, ey, w, r);
             put(w, l.w, i);
-            l.V[0][i] = V0 + dV0;
-            l.V[1][i] = V1 + dV1;
-            l.V[2][i] = dV2;
-            l.approach[i] = -V1;
+            l.V[0][i] = arrival.V0 + dV.x;
+            l.V[1][i] = arrival.V1 + dV.y;
+            l.V[2][i] = dV.z;
+            l.approach[i] = -arrival.V1;
             l.contacts[i] = 1;
-            l.pulling[i] = dV1 < 0 ? 1. : 0.;
-            l.gaining[i] = change > needed ? 1. : 0.;
+            l.pulling[i] = dV.y < 0 ? 1. : 0.;
+            l.gaining[i] = arrival.gains(dV) ? 1. : 0.;
         }
     }
 }
