@@ -1,0 +1,82 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "gasEquations.H"
+
+void Foam::gasEquations::soundSpeed(std::vector<double>& a) const
+{
+    a.resize(geometry_.nSlots());
+    for (label s = 0; s < geometry_.nSlots(); s++)
+    {
+        const double T = primitive[s*nVar_ + 1];
+        a[s] = std::sqrt
+        (
+            closure_.thermallyPerfect()
+          ? closure_.soundSpeedSqr<true>(T)
+          : closure_.soundSpeedSqr<false>(T)
+        );
+    }
+}
+
+
+void Foam::gasEquations::faceSpectralRadius(std::vector<double>& lambda) const
+{
+    const int nDim = geometry_.nDim();
+    soundSpeed(soundSpeed_);
+    lambda.resize(geometry_.nFaces());
+
+    for (label f = 0; f < geometry_.nFaces(); f++)
+    {
+        const label o = geometry_.owner[f];
+        const label r = geometry_.far[f];
+        const double* n = &geometry_.normal[f*nDim];
+        const double* qo = &primitive[o*nVar_ + 2];
+        const double* qr = &primitive[r*nVar_ + 2];
+        double uo = 0;
+        double ur = 0;
+        for (int d = 0; d < nDim; d++)
+        {
+            uo += qo[d]*n[d];
+            ur += qr[d]*n[d];
+        }
+        lambda[f] =
+            max(mag(uo) + soundSpeed_[o], mag(ur) + soundSpeed_[r])
+           *geometry_.area[f];
+
+        if (viscous_)
+        {
+            const double* state = &primitive[r*nVar_];
+            const double T = state[1];
+            const double mu = closure_.viscosity(T);
+            const double density = state[0]/(closure_.R*T);
+            const double cv =
+                closure_.thermallyPerfect()
+              ? closure_.specificHeat<true>(T)
+              : closure_.cv;
+            const double lambdaT =
+                closure_.thermallyPerfect()
+              ? closure_.conductivity<true>(mu, T)
+              : closure_.conductivity<false>(mu, T);
+            lambda[f] +=
+                2*max(4.0/3*mu, lambdaT/cv)/density
+               *geometry_.area[f]/geometry_.normalDistance[f];
+        }
+    }
+}
+
+
+void Foam::gasEquations::spectralRadius(std::vector<double>& lambda) const
+{
+    faceSpectralRadius(faceLambda_);
+    lambda.assign(geometry_.nCells(), 0);
+
+    for (label f = 0; f < geometry_.nFaces(); f++)
+    {
+        lambda[geometry_.owner[f]] += faceLambda_[f];
+        if (f < geometry_.nInternal())
+        {
+            lambda[geometry_.far[f]] += faceLambda_[f];
+        }
+    }
+}

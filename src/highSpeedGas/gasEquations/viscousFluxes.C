@@ -1,0 +1,126 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "gasEquations.H"
+
+template<int nDim>
+void Foam::gasEquations::viscousFlux
+(
+    const label f,
+    const double share,
+    const double* gradientFar
+)
+{
+    constexpr int nVar = nDim + 2;
+    const double* qo = &primitive[geometry_.owner[f]*nVar];
+    const double* qf = &primitive[geometry_.far[f]*nVar];
+    const double* go = &gradient_[geometry_.owner[f]*(nVar*nDim)];
+    const double* gf = gradientFar;
+    const double* delta = &geometry_.delta[f*nDim];
+    const double* n = &geometry_.normal[f*nDim];
+
+    double dd = 0;
+    for (int d = 0; d < nDim; d++)
+    {
+        dd += delta[d]*delta[d];
+    }
+
+    // Mean gradient of temperature and velocity, with its part along the line
+    // of centres replaced by the difference over it
+    double g[nDim][nVar];
+    double q[nVar];
+    for (int k = 1; k < nVar; k++)
+    {
+        double along = 0;
+        for (int d = 0; d < nDim; d++)
+        {
+            g[d][k] = (1 - share)*go[d*nVar + k] + share*gf[d*nVar + k];
+            along += g[d][k]*delta[d];
+        }
+        const double defect = (qf[k] - qo[k] - along)/dd;
+        for (int d = 0; d < nDim; d++)
+        {
+            g[d][k] += defect*delta[d];
+        }
+        q[k] = (1 - share)*qo[k] + share*qf[k];
+    }
+
+    const double T = q[1];
+    const double mu = closure_.viscosity(T);
+    const double lambda =
+        closure_.thermallyPerfect()
+      ? closure_.conductivity<true>(mu, T)
+      : closure_.conductivity<false>(mu, T);
+
+    double divU = 0;
+    for (int d = 0; d < nDim; d++)
+    {
+        divU += g[d][2 + d];
+    }
+
+    double flux[nVar];
+    flux[1] = 0;
+    for (int d = 0; d < nDim; d++)
+    {
+        double stress = -2.0/3*divU*n[d];
+        for (int k = 0; k < nDim; k++)
+        {
+            stress += (g[k][2 + d] + g[d][2 + k])*n[k];
+        }
+        flux[2 + d] = -mu*stress;
+        flux[1] += flux[2 + d]*q[2 + d] - lambda*g[d][1]*n[d];
+    }
+
+    const double S = geometry_.area[f];
+    double* ro = &rate[geometry_.owner[f]*nVar];
+    const bool inner = f < geometry_.nInternal();
+    double* rf = inner ? &rate[geometry_.far[f]*nVar] : nullptr;
+    for (int k = 1; k < nVar; k++)
+    {
+        ro[k] -= flux[k]*S;
+        if (inner)
+        {
+            rf[k] += flux[k]*S;
+        }
+    }
+}
+
+
+template<int nDim>
+void Foam::gasEquations::viscousFluxes()
+{
+    constexpr int width = (nDim + 2)*nDim;
+    auto far = [&](const label f)
+    {
+        return &gradient_[geometry_.far[f]*width];
+    };
+
+    for (label f = 0; f < geometry_.nInternal(); f++)
+    {
+        viscousFlux<nDim>(f, geometry_.weight[f], far(f));
+    }
+
+    for (const gasMesh::patchRange& patch : geometry_.patches())
+    {
+        for (label f = patch.start; f < patch.start + patch.size; f++)
+        {
+            if (patch.coupled)
+            {
+                viscousFlux<nDim>(f, geometry_.weight[f], far(f));
+            }
+            else if (!frictionless_[patch.patchi])
+            {
+                // State of the face, gradient of the cell
+                viscousFlux<nDim>
+                (
+                    f, 1, &gradient_[geometry_.owner[f]*width]
+                );
+            }
+        }
+    }
+}
+
+
+template void Foam::gasEquations::viscousFluxes<2>();
+template void Foam::gasEquations::viscousFluxes<3>();
