@@ -3,7 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "highSpeedGas.H"
-#include "ImplicitGaussSeidel.H"
+#include "steadySolution.H"
 #include "localIOdictionary.H"
 #include "sigFpe.H"
 
@@ -291,93 +291,16 @@ void Foam::highSpeedGas::publish()
 }
 
 
-void Foam::highSpeedGas::marchToSteadyState()
+void Foam::highSpeedGas::findSteadyState()
 {
-    Info<< "Gas: marching to a steady state" << endl;
-
-    // Four symmetric sweeps: more buy fewer steps, but not fewer operations
-    ImplicitGaussSeidel implicit(*equations_, 4);
-
-    // An impulsive start needs the first steps to be short. Where the march
-    // makes no headway, the steps are too long for the approximations of its
-    // left-hand side, and are halved.
-    const label patience = implicit_ ? 200 : 2000;
-    scalar largestCo = maxCo_;
-    scalar Co = min(scalar(1), maxCo_);
-    scalar best = GREAT;
-    label bestIteration = 0;
-    label setbacks = 0;
-
-    scalar imbalance = GREAT;
-    label iteration = 0;
-
-    while (iteration < maxIterations_ && imbalance > residual_)
-    {
-        if (implicit_)
-        {
-            Co = min(largestCo, implicit.localStep(Co) ? 1.1*Co : 0.5*Co);
-            if (Co < 1e-3*min(maxCo_, scalar(1)))
-            {
-                equations_->reportTrouble();
-            }
-        }
-        else
-        {
-            march_->localStep(maxCo_);
-        }
-        iteration++;
-
-        imbalance = equations_->imbalance();
-        if (imbalance < 0.7*best)
-        {
-            best = imbalance;
-            bestIteration = iteration;
-        }
-        else if (iteration - bestIteration >= patience)
-        {
-            setbacks++;
-            if (setbacks == 3)
-            {
-                // What was held before may bear the marks of the unrest
-                Info<< "Gas: taking the shocks to first order, so that they"
-                    << " come to rest" << endl;
-                equations_->roughenShocks();
-                equations_->holdShocks(false);
-            }
-            else
-            {
-                equations_->holdShocks(true);
-            }
-            largestCo = max(min(maxCo_, scalar(1)), 0.5*min(Co, largestCo));
-            bestIteration = iteration;
-        }
-        if (iteration % reportEvery_ == 0)
-        {
-            Info<< "Gas: iteration " << iteration << ", imbalance "
-                << imbalance;
-            if (implicit_)
-            {
-                Info<< ", Courant number " << Co;
-            }
-            Info<< endl;
-        }
-    }
-
-    if (imbalance > residual_)
-    {
-        WarningInFunction
-            << "The gas is not steady after " << iteration
-            << " iterations: imbalance " << imbalance
-            << ", wanted " << residual_ << endl;
-    }
-    else
-    {
-        Info<< "Gas: steady after " << iteration
-            << " iterations, imbalance " << imbalance << endl;
-    }
-
-    state_.set("imbalance", imbalance);
-    state_.set("iterations", iteration);
+    steadySolution solution
+    (
+        *equations_,
+        {implicit_, stages_, maxCo_, residual_, maxIterations_, reportEvery_}
+    );
+    solution.solve();
+    state_.set("imbalance", solution.imbalance());
+    state_.set("iterations", solution.iterations());
     steady_ = true;
 }
 
@@ -421,7 +344,7 @@ bool Foam::highSpeedGas::solve()
 
     if (mode_ == modeType::steady)
     {
-        marchToSteadyState();
+        findSteadyState();
     }
     else
     {
