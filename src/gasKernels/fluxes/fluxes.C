@@ -144,6 +144,24 @@ struct Kurganov
 };
 
 
+struct Tadmor
+{
+    template<int nDim>
+    static VECTOR_INLINE void flux
+    (
+        faceBlock& block,
+        const int i,
+        const side<nDim>& L,
+        const side<nDim>& R
+    )
+    {
+        const double s =
+            most(size(L.un) + L.a, size(R.un) + R.a);
+        twoWaves(block, i, L, R, -s, s);
+    }
+};
+
+
 struct SLAU2
 {
     template<int nDim>
@@ -334,6 +352,7 @@ VECTOR_INLINE void fluxes(faceBlock& block, const int n, const gasClosure& gas)
     makeFlux(Scheme, 3, true)
 
 makeFluxes(Kurganov)
+makeFluxes(Tadmor)
 makeFluxes(SLAU2)
 makeFluxes(AUSMPlusUp)
 makeFluxes(HLLC)
@@ -360,6 +379,7 @@ const std::map<std::string, fluxVersions>& table()
     static const std::map<std::string, fluxVersions> kernels
     {
         listFluxes(Kurganov),
+        listFluxes(Tadmor),
         listFluxes(SLAU2),
         listFluxes(AUSMPlusUp),
         listFluxes(HLLC)

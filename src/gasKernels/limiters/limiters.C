@@ -111,9 +111,15 @@ VECTOR_INLINE double limited(const double a, const double b)
 
 
 template<class Limiter>
-VECTOR_INLINE void reconstruct(faceBlock& block, const int n, const int nVar)
+VECTOR_INLINE void reconstruct
+(
+    faceBlock& block,
+    const int n,
+    const int first,
+    const int end
+)
 {
-    for (int k = 0; k < nVar; k++)
+    for (int k = first; k < end; k++)
     {
         for (int i = 0; i < n; i++)
         {
@@ -130,7 +136,7 @@ VECTOR_INLINE void reconstruct(faceBlock& block, const int n, const int nVar)
 
     // Pressure and temperature of a face that would lose their sign take the
     // value of the cell
-    for (int k = 0; k < 2; k++)
+    for (int k = first; k < end && k < 2; k++)
     {
         for (int i = 0; i < n; i++)
         {
@@ -146,9 +152,15 @@ VECTOR_INLINE void reconstruct(faceBlock& block, const int n, const int nVar)
 
 #define makeReconstruction(Limiter)                                            \
     VECTOR_KERNEL                                                              \
-    void reconstruct##Limiter(faceBlock& block, const int n, const int nVar)   \
+    void reconstruct##Limiter                                                  \
+    (                                                                          \
+        faceBlock& block,                                                      \
+        const int n,                                                           \
+        const int first,                                                       \
+        const int end                                                          \
+    )                                                                          \
     {                                                                          \
-        reconstruct<Limiter>(block, n, nVar);                                  \
+        reconstruct<Limiter>(block, n, first, end);                            \
     }
 
 makeReconstruction(upwind)

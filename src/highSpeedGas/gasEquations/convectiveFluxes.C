@@ -177,20 +177,23 @@ void Foam::gasEquations::innerFluxes()
             troubledBlock = troubledBlock || troubledFace[i];
         }
 
-        reconstruction_(block, n, nVar);
+        for (const variableLimiter& limiter : reconstruction_)
+        {
+            limiter.reconstruct(block, n, limiter.first, limiter.end);
+        }
         flux_(block, n, closure_);
 
         if (shockedBlock)
         {
             if (roughShocks_)
             {
-                firstOrder_(block, n, nVar);
+                firstOrder_(block, n, 0, nVar);
             }
             replaceFluxes(block, n, shock);
         }
         if (troubledBlock)
         {
-            firstOrder_(block, n, nVar);
+            firstOrder_(block, n, 0, nVar);
             replaceFluxes(block, n, troubledFace);
         }
 

@@ -5,6 +5,7 @@
 #include "gasEquations.H"
 #include "completeWrite.H"
 #include <algorithm>
+#include <array>
 
 namespace Foam
 {
@@ -19,42 +20,23 @@ static wordList listOf(const std::vector<std::string>& names)
     return list;
 }
 
-} // End namespace Foam
 
-
-void Foam::gasEquations::setSchemes()
+//- The limiter that the first entry found of the given ones names
+static word readLimiter(const dictionary& schemes, const wordList& keys)
 {
-    const dictionary& schemes = mesh_.schemesDict();
-    const word fluxName(schemes.getOrDefault<word>("fluxScheme", "HLLC"));
-    const int nDim = geometry_.nDim();
-
-    flux_ = selectFlux(fluxName, nDim, closure_.thermallyPerfect());
-    robustFlux_ = selectFlux("Kurganov", nDim, closure_.thermallyPerfect());
-    sensesShocks_ = fluxName != "Kurganov";
-    shocksStay_ = false;
-    roughShocks_ = false;
-    shocked_.assign(geometry_.nFaces(), 0);
-
-    if (!flux_)
-    {
-        FatalIOErrorInFunction(schemes)
-            << "Unknown fluxScheme " << fluxName << nl
-            << "Valid fluxScheme: " << listOf(fluxNames()) << exit(FatalIOError);
-    }
-
-    // The reconstruction of all variables shares one limiter; the names of
-    // the stock central solver are understood
     const dictionary& interpolation = schemes.subDict("interpolationSchemes");
-    word limiter;
-    word source;
-    for (const word key : {"reconstruct", "reconstruct(rho)", "reconstruct(U)",
-        "reconstruct(T)"})
+
+    for (const word& key : keys)
     {
         if (!interpolation.found(key))
         {
             continue;
         }
-        word name(interpolation.lookup(key));
+
+        ITstream& is = interpolation.lookup(key);
+        word name(is);
+
+        // The limiters of vectors are applied to each component
         if (name.size() > 1 && name[name.size() - 1] == 'V')
         {
             name = name.substr(0, name.size() - 1);
@@ -66,23 +48,90 @@ void Foam::gasEquations::setSchemes()
                 << "Valid limiters: " << listOf(reconstructionNames())
                 << exit(FatalIOError);
         }
-        if (limiter.size() && limiter != name)
+
+        if (is.nRemainingTokens() > 0)
         {
-            FatalIOErrorInFunction(interpolation)
-                << "Limiters differ: " << source << ' ' << limiter << " and "
-                << key << ' ' << name << nl
-                << "One limiter serves all variables" << exit(FatalIOError);
+            const scalar coefficient = readScalar(is);
+            const bool hasCoefficient =
+                name == "limitedLinear" || name == "limitedCubic";
+            if (!hasCoefficient || coefficient != 1 || is.nRemainingTokens())
+            {
+                FatalIOErrorInFunction(interpolation)
+                    << "Entry " << key << ": limiter " << name
+                    << " with coefficient " << coefficient << nl
+                    << "limitedLinear and limitedCubic take the coefficient 1"
+                    << " (or none), the other limiters none"
+                    << exit(FatalIOError);
+            }
         }
-        limiter = name;
-        source = key;
+        return name;
     }
-    if (limiter.empty())
+    return "vanAlbada";
+}
+
+} // End namespace Foam
+
+
+void Foam::gasEquations::setSchemes()
+{
+    const dictionary& schemes = mesh_.schemesDict();
+    const word fluxName(schemes.getOrDefault<word>("fluxScheme", "HLLC"));
+    const int nDim = geometry_.nDim();
+
+    flux_ = selectFlux(fluxName, nDim, closure_.thermallyPerfect());
+    robustFlux_ = selectFlux("Kurganov", nDim, closure_.thermallyPerfect());
+    sensesShocks_ = fluxName != "Kurganov" && fluxName != "Tadmor";
+    shocksStay_ = false;
+    roughShocks_ = false;
+    shocked_.assign(geometry_.nFaces(), 0);
+
+    if (!flux_)
     {
-        limiter = "vanAlbada";
+        FatalIOErrorInFunction(schemes)
+            << "Unknown fluxScheme " << fluxName << nl
+            << "Valid fluxScheme: " << listOf(fluxNames()) << exit(FatalIOError);
     }
 
-    reconstruction_ = selectReconstruction(limiter);
+    // The stock central solver reconstructs density, temperature and velocity;
+    // here pressure takes the limiter of the density
+    const std::array<wordList, 3> keys
+    {{
+        {"reconstruct(p)", "reconstruct(rho)", "reconstruct"},
+        {"reconstruct(T)", "reconstruct"},
+        {"reconstruct(U)", "reconstruct"}
+    }};
+    const int ends[3] = {1, 2, nVar_};
+    word limiters[3];
+
+    reconstruction_.clear();
+    for (int i = 0; i < 3; i++)
+    {
+        limiters[i] = readLimiter(schemes, keys[i]);
+        if (i > 0 && limiters[i] == limiters[i - 1])
+        {
+            reconstruction_.back().end = ends[i];
+        }
+        else
+        {
+            reconstruction_.push_back
+            (
+                {
+                    selectReconstruction(limiters[i]),
+                    i > 0 ? ends[i - 1] : 0,
+                    ends[i]
+                }
+            );
+        }
+    }
     firstOrder_ = selectReconstruction("upwind");
+
+    word limiter(limiters[0]);
+    if (reconstruction_.size() > 1)
+    {
+        limiter =
+            limiters[0] + " (p), " + limiters[1] + " (T), " + limiters[2]
+          + " (U)";
+    }
 
     Info<< "Gas: flux " << fluxName << ", limiter " << limiter << ", "
         << (viscous_ ? "viscous" : "inviscid") << ", "

@@ -254,7 +254,7 @@ TEST(limiters, areThoseOfTheirDefinitions)
                 block->weight[i] = 0.4;
             }
         }
-        Foam::selectReconstruction(name)(*block, faceBlock::size, 5);
+        Foam::selectReconstruction(name)(*block, faceBlock::size, 0, 5);
         for (int i = 0; i < faceBlock::size; i++)
         {
             const double r = 0.1*(i - 10);
@@ -283,7 +283,7 @@ TEST(limiters, stayFiniteWithoutAnyChange)
             }
             block->weight[i] = 0.5;
         }
-        Foam::selectReconstruction(name)(*block, faceBlock::size, 5);
+        Foam::selectReconstruction(name)(*block, faceBlock::size, 0, 5);
         EXPECT_EQ(block->L[0][7], 5) << name;
         EXPECT_EQ(block->R[4][8], 5) << name;
     }
