@@ -130,7 +130,9 @@ HCONST = f"Cp {GAMMA*R_GAS/(GAMMA - 1)!r}; Hf 0;"
 
 def write_case(case, control, gas, flux="HLLC", limiter="vanAlbada",
                thermo="hConst", thermodynamics=HCONST):
-    """Everything of a gas case but mesh and fields."""
+    """Everything of a gas case but mesh and fields. Without friction unless
+    gas says 'viscous'."""
+    gas = {"viscous": "no", **gas}
     settings = {
         "application": "rhoCentralParcelFoam", "startFrom": "latestTime",
         "startTime": 0, "stopAt": "endTime", "writeControl": "runTime",

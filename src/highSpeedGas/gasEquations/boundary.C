@@ -3,9 +3,41 @@
 \*---------------------------------------------------------------------------*/
 
 #include "gasEquations.H"
-#include "wallPolyPatch.H"
+#include "basicSymmetryFvPatchFields.H"
 #include "wedgePolyPatch.H"
-#include "slipFvPatchFields.H"
+#include "surfaceInterpolate.H"
+
+// * * * * * * * * * * * * * * * Set-up  * * * * * * * * * * * * * * * * * * //
+
+void Foam::gasEquations::checkCoupledConditions() const
+{
+    for (const gasMesh::patchRange& patch : geometry_.patches())
+    {
+        const fvPatch& fvp = mesh_.boundary()[patch.patchi];
+        if (!patch.coupled)
+        {
+            continue;
+        }
+
+        auto check = [&](const word& field, const word& type)
+        {
+            if (type != fvp.type())
+            {
+                FatalErrorInFunction
+                    << "Field " << field << " has the boundary condition "
+                    << type << " on the coupled patch " << fvp.name()
+                    << ", across which the gas is taken to be continuous."
+                    << nl << "Valid boundary condition: " << fvp.type()
+                    << exit(FatalError);
+            }
+        };
+        const label patchi = patch.patchi;
+        check("U", U_.boundaryField()[patchi].type());
+        check("T", thermo_.T().boundaryField()[patchi].type());
+        check("p", thermo_.p().boundaryField()[patchi].type());
+    }
+}
+
 
 void Foam::gasEquations::setPatches()
 {
@@ -14,12 +46,22 @@ void Foam::gasEquations::setPatches()
     {
         "fixedValue", "zeroGradient", "slip", "noSlip", "symmetry",
         "symmetryPlane", "wedge", "empty", "calculated", "cyclic", "processor",
-        "processorCyclic", "supersonicFreestream", "freestream",
+        "processorCyclic", "cyclicAMI", "supersonicFreestream", "freestream",
         "freestreamPressure", "freestreamVelocity", "inletOutlet",
         "outletInlet", "uniformFixedValue", "fixedGradient"
     };
 
-    boundaryNeedsThermo_ = false;
+    // Conditions on the pressure that leave its value at a wall to the gas
+    static const wordHashSet leavesPressure
+    {
+        "zeroGradient", "calculated", "fixedFluxPressure", "slip", "wedge",
+        "symmetry", "symmetryPlane"
+    };
+
+    checkCoupledConditions();
+
+    boundaryNeedsProperties_ = false;
+    bool needsStress = false;
     boolList excluded(mesh_.boundary().size(), false);
     frictionless_.setSize(mesh_.boundary().size(), false);
 
@@ -28,12 +70,28 @@ void Foam::gasEquations::setPatches()
         const label patchi = patch.patchi;
         const polyPatch& pp = mesh_.boundaryMesh()[patchi];
         const fvPatchVectorField& Up = U_.boundaryField()[patchi];
+        const fvPatchScalarField& pressure = thermo_.p().boundaryField()[patchi];
 
         const bool wedge = isA<wedgePolyPatch>(pp);
-        const bool slip = isA<slipFvPatchVectorField>(Up);
-        const bool wall = isA<wallPolyPatch>(pp) || slip;
+        const bool slip = isA<basicSymmetryFvPatchVectorField>(Up);
 
-        impermeable_.push_back(wall || patch.symmetry || wedge);
+        // Whether the condition on U lets no gas through at the start
+        // (processor patches differ from rank to rank: no sums over them)
+        bool wall = slip;
+        if (!patch.coupled)
+        {
+            const vectorField& Sf = mesh_.Sf().boundaryField()[patchi];
+            const vectorField velocity(Up);
+            const scalar through = gSumMag(scalarField(velocity & Sf));
+            const scalar along = gSum(scalarField(mag(velocity)*mag(Sf)));
+            wall = slip || (Up.fixesValue() && through <= 1e-6*along);
+        }
+
+        tight_.push_back(slip || wedge || patch.symmetry);
+        reconstructed_.push_back
+        (
+            !patch.coupled && leavesPressure.found(pressure.type())
+        );
         excluded[patchi] = wedge || slip || (wall && !viscous_);
         frictionless_[patchi] = wedge || slip || patch.symmetry;
 
@@ -43,17 +101,185 @@ void Foam::gasEquations::setPatches()
             {
                 Up.type(),
                 thermo_.T().boundaryField()[patchi].type(),
-                thermo_.p().boundaryField()[patchi].type()
+                pressure.type()
             }
         )
         {
-            boundaryNeedsThermo_ =
-                boundaryNeedsThermo_ || !selfContained.found(type);
+            boundaryNeedsProperties_ =
+                boundaryNeedsProperties_ || !selfContained.found(type);
         }
+        needsStress = needsStress || Up.type() == "maxwellSlipU";
     }
-    reduce(boundaryNeedsThermo_, orOp<bool>());
+    reduce(boundaryNeedsProperties_, orOp<bool>());
+    reduce(needsStress, orOp<bool>());
+
+    if (needsStress)
+    {
+        tauMC_.reset
+        (
+            new volTensorField
+            (
+                IOobject("tauMC", mesh_.time().timeName(), mesh_),
+                mesh_,
+                dimensionedTensor(dimPressure, Zero)
+            )
+        );
+    }
 
     geometry_.setLeastSquares(excluded);
+}
+
+
+// * * * * * * * * * * * * * * * State * * * * * * * * * * * * * * * * * * * //
+
+void Foam::gasEquations::initialiseFlux()
+{
+    const volScalarField& p = thermo_.p();
+    const volScalarField& T = thermo_.T();
+
+    rho_.primitiveFieldRef() = p.primitiveField()/(closure_.R*T.primitiveField());
+    forAll(rho_.boundaryField(), patchi)
+    {
+        rho_.boundaryFieldRef()[patchi] ==
+            p.boundaryField()[patchi]
+           /(closure_.R*T.boundaryField()[patchi]);
+    }
+
+    const surfaceVectorField momentum(fvc::interpolate(rho_*U_));
+    phi_ = momentum & mesh_.Sf();
+}
+
+
+bool Foam::gasEquations::impermeable
+(
+    const label k,
+    const label f,
+    double& un
+) const
+{
+    const int nDim = geometry_.nDim();
+    const double* q = &primitive[geometry_.far[f]*nVar_];
+    un = 0;
+    if (tight_[k])
+    {
+        return true;
+    }
+
+    const double* n = &geometry_.normal[f*nDim];
+    double uu = 0;
+    for (int d = 0; d < nDim; d++)
+    {
+        un += q[2 + d]*n[d];
+        uu += q[2 + d]*q[2 + d];
+    }
+
+    // Round-off in a velocity meant to be tangential is no flow
+    const double a2 =
+        closure_.thermallyPerfect()
+      ? closure_.soundSpeedSqr<true>(q[1])
+      : closure_.soundSpeedSqr<false>(q[1]);
+    if (sqr(un) <= 1e-24*(uu + a2))
+    {
+        un = 0;
+    }
+    return sqr(un) <= 1e-12*a2;
+}
+
+
+void Foam::gasEquations::wallPressure(const label f, double& p) const
+{
+    const int nDim = geometry_.nDim();
+    const label c = geometry_.owner[f];
+    const double* g = &gradient_[c*nVar_*nDim];
+    double change = 0;
+    for (int d = 0; d < nDim; d++)
+    {
+        change += g[d*nVar_]*geometry_.toFace[f*nDim + d];
+    }
+
+    // In the first instants of an impulsive start the pressure next to the
+    // wall varies by more than itself
+    const double pc = primitive[c*nVar_];
+    p = pc + max(-0.5*pc, min(0.5*pc, change));
+}
+
+
+void Foam::gasEquations::setBoundaryProperties()
+{
+    if (!boundaryNeedsProperties_)
+    {
+        return;
+    }
+
+    if (!properties_->local())
+    {
+        properties_->update();
+    }
+    else
+    {
+        for (const gasMesh::patchRange& patch : geometry_.patches())
+        {
+            if (patch.coupled || patch.symmetry)
+            {
+                continue;
+            }
+            for (label f = patch.start; f < patch.start + patch.size; f++)
+            {
+                properties_->setCell(geometry_.owner[f]);
+            }
+            properties_->setPatch(patch.patchi);
+        }
+    }
+
+    if (tauMC_.valid())
+    {
+        setBoundaryStress();
+    }
+}
+
+
+void Foam::gasEquations::setBoundaryStress()
+{
+    const int nDim = geometry_.nDim();
+    const volScalarField& T = thermo_.T();
+
+    for (const gasMesh::patchRange& patch : geometry_.patches())
+    {
+        if (patch.coupled || patch.symmetry)
+        {
+            continue;
+        }
+        const label patchi = patch.patchi;
+        const fvPatchVectorField& Up = U_.boundaryField()[patchi];
+        const vectorField n(Up.patch().nf());
+        const vectorField snGrad(Up.snGrad());
+        tensorField stress(patch.size);
+
+        for (label i = 0; i < patch.size; i++)
+        {
+            // Gradient in the cell, its normal part replaced by the one at
+            // the face
+            const label f = patch.start + i;
+            const double* g =
+                &gradient_[geometry_.owner[f]*(nVar_*nDim)];
+            tensor gradU(Zero);
+            for (int d = 0; d < nDim; d++)
+            {
+                for (int k = 0; k < nDim; k++)
+                {
+                    gradU
+                    (
+                        geometry_.direction(d), geometry_.direction(k)
+                    ) = g[d*nVar_ + 2 + k];
+                }
+            }
+            gradU += n[i]*(snGrad[i] - (n[i] & gradU));
+            stress[i] =
+                closure_.viscosity(T.boundaryField()[patchi][i])
+               *dev2(gradU.T());
+        }
+        tauMC_->boundaryFieldRef()[patchi] == stress;
+    }
 }
 
 
@@ -62,9 +288,7 @@ void Foam::gasEquations::correctBoundary()
     volScalarField& p = thermo_.p();
     volScalarField& T = thermo_.T();
     const int nDim = geometry_.nDim();
-    const label nCells = geometry_.nCells();
     const label nInternal = geometry_.nInternal();
-    brokenFace_ = -1;
 
     // The boundary conditions read the fields next to the boundary only
     for (label f = nInternal; f < geometry_.nFaces(); f++)
@@ -80,13 +304,7 @@ void Foam::gasEquations::correctBoundary()
         }
     }
 
-    if (boundaryNeedsThermo_)
-    {
-        thermo_.he() = thermo_.he(p, T);
-        const scalarField keepT(T);
-        thermo_.correct();
-        static_cast<scalarField&>(T) = keepT;
-    }
+    setBoundaryProperties();
 
     for (const gasMesh::patchRange& patch : geometry_.patches())
     {
@@ -101,7 +319,28 @@ void Foam::gasEquations::correctBoundary()
         rho_.boundaryFieldRef()[patchi] ==
             p.boundaryField()[patchi]
            /(closure_.R*T.boundaryField()[patchi]);
+    }
 
+    takeBoundary();
+}
+
+
+void Foam::gasEquations::takeBoundary()
+{
+    const volScalarField& p = thermo_.p();
+    const volScalarField& T = thermo_.T();
+    const int nDim = geometry_.nDim();
+    const label nCells = geometry_.nCells();
+    const label nInternal = geometry_.nInternal();
+    brokenFace_ = -1;
+
+    for (const gasMesh::patchRange& patch : geometry_.patches())
+    {
+        if (patch.coupled || patch.symmetry)
+        {
+            continue;
+        }
+        const label patchi = patch.patchi;
         const fvPatchVectorField& Up = U_.boundaryField()[patchi];
         const fvPatchScalarField& Tp = T.boundaryField()[patchi];
         const fvPatchScalarField& pp = p.boundaryField()[patchi];
@@ -152,28 +391,4 @@ void Foam::gasEquations::correctBoundary()
     }
 
     geometry_.exchange(primitive.data(), nVar_);
-}
-
-
-void Foam::gasEquations::wallPressure
-(
-    const gasMesh::patchRange& patch,
-    const label i,
-    double& p
-) const
-{
-    const int nDim = geometry_.nDim();
-    const label f = patch.start + i;
-    const label c = geometry_.owner[f];
-    const double* g = &gradient_[c*nVar_*nDim];
-    double change = 0;
-    for (int d = 0; d < nDim; d++)
-    {
-        change += g[d*nVar_]*geometry_.toFace[f*nDim + d];
-    }
-
-    // In the first instants of an impulsive start the pressure next to the
-    // wall varies by more than itself
-    const double pc = primitive[c*nVar_];
-    p = pc + max(-0.5*pc, min(0.5*pc, change));
 }

@@ -247,10 +247,10 @@ void Foam::gasEquations::boundaryFluxes()
 {
     constexpr int nVar = nDim + 2;
 
-    label k = 0;
+    label k = -1;
     for (const gasMesh::patchRange& patch : geometry_.patches())
     {
-        const bool wall = impermeable_[k++];
+        k++;
         if (patch.coupled)
         {
             continue;
@@ -263,31 +263,27 @@ void Foam::gasEquations::boundaryFluxes()
             const label c = geometry_.owner[f];
             const double* n = &geometry_.normal[f*nDim];
             const double S = geometry_.area[f];
+            double q[nVar];
+            std::copy_n(&primitive[geometry_.far[f]*nVar], nVar, q);
             double flux[nVar];
+            double un;
 
-            if (wall)
+            if (impermeable(k, f, un) && (reconstructed_[k] || tight_[k]))
             {
-                double p;
-                wallPressure(patch, i, p);
-                const double* q = &primitive[geometry_.far[f]*nVar];
-                double un = 0;
-                for (int d = 0; d < nDim && !patch.symmetry; d++)
-                {
-                    un += q[2 + d]*n[d];
-                }
+                wallPressure(f, q[0]);
+            }
+            if (un == 0)
+            {
                 flux[0] = 0;
-                flux[1] = p*un;
+                flux[1] = 0;
                 for (int d = 0; d < nDim; d++)
                 {
-                    flux[2 + d] = p*n[d];
+                    flux[2 + d] = q[0]*n[d];
                 }
             }
             else
             {
-                exactFlux
-                (
-                    &primitive[geometry_.far[f]*nVar], n, nDim, closure_, flux
-                );
+                exactFlux(q, n, nDim, closure_, flux);
             }
 
             phip[i] = flux[0]*S;

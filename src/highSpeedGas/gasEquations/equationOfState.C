@@ -111,31 +111,126 @@ void Foam::gasEquations::setClosure()
             closureHeat_[i] = slope(i);
         }
 
-        // Energy counted so that the gas has none at zero temperature if its
-        // specific heat went on as it is at the low end
-        const scalar offset = closureHeat_[0]*low;
-        for (label i = 0; i <= n; i++)
-        {
-            closureEnergy_[i] += offset;
-        }
-        closure_.n = n;
-        closure_.e = closureEnergy_.data();
-        closure_.c = closureHeat_.data();
+        trimClosure(low, h);
     }
 
-    const scalar cv =
-        constantHeat
-      ? closure_.cv
-      : *std::min_element(closureHeat_.begin(), closureHeat_.end());
+    // Energy of the model where the closure has its first node
+    const scalar T0 = closure_.T0;
+    energyOffset_ =
+        thermo_.he
+        (
+            scalarField(1, 1e5), scalarField(1, T0), labelList(1, Zero)
+        )()[0]
+      - (enthalpyForm ? closure_.R*T0 : 0)
+      - (
+            closure_.thermallyPerfect()
+          ? closure_.energy<true>(T0)
+          : closure_.energy<false>(T0)
+        );
 
-    if (!(cv > 0) || !(closure_.R > 0))
+    if (!(closure_.cv > 0) || !(closure_.R > 0))
     {
         FatalIOErrorInFunction(properties)
             << "The gas has no ratio of specific heats: R = " << closure_.R
-            << " J/(kg K), smallest Cv = " << cv << " J/(kg K)." << nl
+            << " J/(kg K), Cv = " << closure_.cv << " J/(kg K)." << nl
             << "Both must be > 0 (entries molWeight, Cp or Cv)"
             << exit(FatalIOError);
     }
+}
+
+
+void Foam::gasEquations::trimClosure(const scalar low, const scalar dT)
+{
+    const label n = label(closureHeat_.size()) - 1;
+
+    // Temperatures of the case at the start
+    scalar least = GREAT;
+    scalar greatest = 0;
+    auto extend = [&](const scalarField& T)
+    {
+        for (const scalar t : T)
+        {
+            least = min(least, t);
+            greatest = max(greatest, t);
+        }
+    };
+    extend(thermo_.T().primitiveField());
+    forAll(thermo_.T().boundaryField(), patchi)
+    {
+        extend(thermo_.T().boundaryField()[patchi]);
+    }
+    reduce(least, minOp<scalar>());
+    reduce(greatest, maxOp<scalar>());
+
+    // No ideal gas has less than 3/2 R: a polynomial that gives less than a
+    // third of that has left its range
+    auto good = [&](const label i)
+    {
+        return closureHeat_[i] > 0.5*closure_.R;
+    };
+    auto node = [&](const scalar T)
+    {
+        return min(max(label((T - low)/dT), label(0)), n - 1);
+    };
+
+    label first = node(least);
+    label last = node(greatest) + 1;
+    for (label i = first; i <= last; i++)
+    {
+        if (!good(i))
+        {
+            FatalIOErrorInFunction
+            (
+                static_cast<const IOdictionary&>(thermo_)
+            )
+                << "The specific heat Cv of the gas is " << closureHeat_[i]
+                << " J/(kg K) at " << low + i*dT << " K; it must be above R/2"
+                << " = " << 0.5*closure_.R << " J/(kg K) at the temperatures"
+                << " of the case, " << least << " to " << greatest
+                << " K (entry thermodynamics)" << exit(FatalIOError);
+        }
+    }
+    while (first > 0 && good(first - 1))
+    {
+        first--;
+    }
+    while (last < n && good(last + 1))
+    {
+        last++;
+    }
+
+    closureHeat_.erase(closureHeat_.begin() + last + 1, closureHeat_.end());
+    closureHeat_.erase(closureHeat_.begin(), closureHeat_.begin() + first);
+    closureEnergy_.erase
+    (
+        closureEnergy_.begin() + last + 1, closureEnergy_.end()
+    );
+    closureEnergy_.erase
+    (
+        closureEnergy_.begin(), closureEnergy_.begin() + first
+    );
+    lowestT_ = low + first*dT;
+    highestT_ = low + last*dT;
+
+    // Energy counted so that the gas has none at zero temperature if its
+    // specific heat went on as it is at the low end
+    const scalar offset = closureHeat_[0]*lowestT_ - closureEnergy_[0];
+    for (double& e : closureEnergy_)
+    {
+        e += offset;
+    }
+
+    closure_.T0 = lowestT_;
+    closure_.n = last - first;
+    closure_.cv = closureHeat_[0];
+    closure_.e = closureEnergy_.data();
+    closure_.c = closureHeat_.data();
+}
+
+
+bool Foam::gasEquations::hasViscosity(const fluidThermo& thermo)
+{
+    return gMax(thermo.mu()().primitiveField()) > 0;
 }
 
 
@@ -145,43 +240,42 @@ void Foam::gasEquations::setTransport()
     closure_.Ts = 0;
     closure_.mu = 0;
     closure_.Pr = 1;
-    if (!viscous_)
-    {
-        return;
-    }
 
     const IOdictionary& properties = thermo_;
     const dictionary& type = properties.subDict("thermoType");
     const word model(type.get<word>("transport"));
     const dictionary& d = properties.subDict("mixture").subDict("transport");
 
-    auto positive = [&](const word& name)
+    auto inRange = [&](const word& name, const bool zeroToo)
     {
         const scalar value = d.get<scalar>(name);
-        if (!(value > 0))
+        if (!(value > 0 || (zeroToo && value == 0)))
         {
             FatalIOErrorInFunction(d)
                 << "Entry " << name << " is " << value
-                << "; its valid range is > 0" << exit(FatalIOError);
+                << "; its valid range is " << (zeroToo ? ">= 0" : "> 0")
+                << exit(FatalIOError);
         }
         return value;
     };
 
+    transportKnown_ = model == "sutherland" || model == "const";
     if (model == "sutherland")
     {
-        closure_.As = positive("As");
-        closure_.Ts = positive("Ts");
+        closure_.As = inRange("As", !viscous_);
+        closure_.Ts = inRange("Ts", !viscous_);
     }
     else if (model == "const")
     {
-        closure_.mu = positive("mu");
-        closure_.Pr = positive("Pr");
+        closure_.mu = inRange("mu", !viscous_);
+        closure_.Pr = inRange("Pr", false);
     }
-    else
+    else if (viscous_)
     {
         FatalIOErrorInFunction(type)
             << "transport " << model << " cannot be used with viscous flow."
-            << nl << "Valid transport: const, sutherland"
-            << exit(FatalIOError);
+            << nl << "Valid transport: const, sutherland" << nl
+            << "(a gas without friction: viscous no; in the block highSpeedGas"
+            << " of system/fvSolution)" << exit(FatalIOError);
     }
 }

@@ -154,7 +154,8 @@ Foam::gasEquations::gasEquations
     volVectorField& U,
     volScalarField& rho,
     surfaceScalarField& phi,
-    const bool viscous
+    const bool viscous,
+    const bool restarts
 )
 :
     mesh_(mesh),
@@ -164,6 +165,12 @@ Foam::gasEquations::gasEquations
     phi_(phi),
     geometry_(mesh),
     nVar_(geometry_.nDim() + 2),
+    boundaryNeedsProperties_(false),
+    transportKnown_(false),
+    energyOffset_(0),
+    lowestT_(0),
+    highestT_(GREAT),
+    warnedOfTemperature_(false),
     viscous_(viscous),
     troubled_(geometry_.nSlots(), 0),
     anyTroubled_(false),
@@ -176,12 +183,16 @@ Foam::gasEquations::gasEquations
     setTransport();
     setSchemes();
     setPatches();
+    properties_.reset
+    (
+        new gasProperties(thermo_, closure_, energyOffset_, transportKnown_)
+    );
     gradient_.resize(geometry_.nSlots()*nVar_*geometry_.nDim());
-    readFields();
+    readFields(restarts);
 }
 
 
-void Foam::gasEquations::readFields()
+void Foam::gasEquations::readFields(const bool asWritten)
 {
     const scalarField& p = thermo_.p();
     const scalarField& T = thermo_.T();
@@ -212,8 +223,18 @@ void Foam::gasEquations::readFields()
         }
     }
 
+    // A restart knows nothing but the fields
+    std::fill(gradient_.begin(), gradient_.end(), 0);
     conserveFromPrimitive();
-    correctBoundary();
+    initialiseFlux();
+    if (asWritten)
+    {
+        takeBoundary();
+    }
+    else
+    {
+        correctBoundary();
+    }
 }
 
 

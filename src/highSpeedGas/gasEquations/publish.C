@@ -4,7 +4,7 @@
 
 #include "gasEquations.H"
 
-void Foam::gasEquations::publish()
+void Foam::gasEquations::publish(const bool asWritten)
 {
     volScalarField& p = thermo_.p();
     volScalarField& T = thermo_.T();
@@ -22,12 +22,15 @@ void Foam::gasEquations::publish()
         }
     }
 
-    U_.correctBoundaryConditions();
-    T.correctBoundaryConditions();
-    p.correctBoundaryConditions();
+    if (!asWritten)
+    {
+        U_.correctBoundaryConditions();
+        T.correctBoundaryConditions();
+        p.correctBoundaryConditions();
+        correctBoundary();
+    }
 
     // Gradients for the pressure on the walls
-    correctBoundary();
     if (nDim == 2)
     {
         gradients<2>();
@@ -37,15 +40,21 @@ void Foam::gasEquations::publish()
         gradients<3>();
     }
 
-    label k = 0;
+    label k = -1;
     for (const gasMesh::patchRange& patch : geometry_.patches())
     {
-        if (impermeable_[k++] && !patch.symmetry)
+        k++;
+        if (asWritten || !reconstructed_[k] || patch.symmetry)
         {
-            scalarField& pp = p.boundaryFieldRef()[patch.patchi];
-            forAll(pp, i)
+            continue;
+        }
+        scalarField& pp = p.boundaryFieldRef()[patch.patchi];
+        forAll(pp, i)
+        {
+            double un;
+            if (impermeable(k, patch.start + i, un))
             {
-                wallPressure(patch, i, pp[i]);
+                wallPressure(patch.start + i, pp[i]);
             }
         }
     }
@@ -57,9 +66,57 @@ void Foam::gasEquations::publish()
            /(closure_.R*T.boundaryField()[patchi]);
     }
 
-    // Energy and transport properties follow from p and T
-    thermo_.he() = thermo_.he(p, T);
-    const scalarField keepT(T);
-    thermo_.correct();
-    static_cast<scalarField&>(T) = keepT;
+    properties_->update();
+    checkTemperature();
+}
+
+
+void Foam::gasEquations::checkTemperature()
+{
+    if (!closure_.thermallyPerfect())
+    {
+        return;
+    }
+
+    label outside = 0;
+    label worst = -1;
+    scalar distance = 0;
+    for (label c = 0; c < geometry_.nCells(); c++)
+    {
+        const double T = primitive[c*nVar_ + 1];
+        const scalar beyond = max(T - highestT_, lowestT_ - T);
+        if (beyond > 0)
+        {
+            outside++;
+            if (beyond > distance)
+            {
+                distance = beyond;
+                worst = c;
+            }
+        }
+    }
+
+    if (returnReduce(outside, sumOp<label>()) == 0)
+    {
+        warnedOfTemperature_ = false;
+        return;
+    }
+
+    // Once when it begins, and for every time that is written
+    if (!warnedOfTemperature_ || mesh_.time().writeTime())
+    {
+        WarningInFunction
+            << "At time " << mesh_.time().timeName() << ' '
+            << returnReduce(outside, sumOp<label>()) << " cells are hotter or"
+            << " colder than the thermophysical model is good for, "
+            << lowestT_ << " to " << highestT_ << " K; beyond, its specific"
+            << " heat is taken to be constant" << endl;
+        const scalar furthest = returnReduce(distance, maxOp<scalar>());
+        if (worst >= 0 && distance >= furthest)
+        {
+            Pout<< "Gas: cell " << worst << " at " << mesh_.C()[worst]
+                << " has T = " << primitive[worst*nVar_ + 1] << " K" << endl;
+        }
+    }
+    warnedOfTemperature_ = true;
 }

@@ -80,3 +80,41 @@ void Foam::gasEquations::spectralRadius(std::vector<double>& lambda) const
         }
     }
 }
+
+
+void Foam::gasEquations::centralRadius(std::vector<double>& lambda) const
+{
+    const int nDim = geometry_.nDim();
+    soundSpeed(soundSpeed_);
+    lambda.assign(geometry_.nCells(), 0);
+
+    for (label f = 0; f < geometry_.nFaces(); f++)
+    {
+        const label o = geometry_.owner[f];
+        const label r = geometry_.far[f];
+        const double* n = &geometry_.normal[f*nDim];
+        const double* qo = &primitive[o*nVar_ + 2];
+        const double* qr = &primitive[r*nVar_ + 2];
+        double uo = 0;
+        double ur = 0;
+        for (int d = 0; d < nDim; d++)
+        {
+            uo += qo[d]*n[d];
+            ur += qr[d]*n[d];
+        }
+        const double ap =
+            max(max(uo + soundSpeed_[o], ur + soundSpeed_[r]), 0.0);
+        const double am =
+            min(min(uo - soundSpeed_[o], ur - soundSpeed_[r]), 0.0);
+        const double share = ap/(ap - am);
+        const double flux =
+            max(mag(share*(uo - am)), mag((1 - share)*(ur - ap)))
+           *geometry_.area[f];
+
+        lambda[o] += flux;
+        if (f < geometry_.nInternal())
+        {
+            lambda[r] += flux;
+        }
+    }
+}

@@ -16,6 +16,112 @@ Foam::highSpeedGas::modeNames
 });
 
 
+void Foam::highSpeedGas::refuseWhatIsNotSolved() const
+{
+    const Time& time = mesh_.time();
+
+    // Whether a file is there and says something, and that
+    auto contents = [&](const word& name, const fileName& folder)
+    {
+        IOobject io
+        (
+            name, folder, mesh_, IOobject::READ_IF_PRESENT,
+            IOobject::NO_WRITE, false
+        );
+        return localIOdictionary(io);
+    };
+
+    const localIOdictionary motion
+    (
+        contents("dynamicMeshDict", time.constant())
+    );
+    const word dynamicMesh
+    (
+        motion.getOrDefault<word>
+        (
+            "dynamicFvMesh",
+            motion.getOrDefault<word>
+            (
+                "solver", motion.empty() ? "staticFvMesh" : "(none)"
+            )
+        )
+    );
+    if (dynamicMesh != "staticFvMesh")
+    {
+        FatalIOErrorInFunction(motion)
+            << "Entry dynamicFvMesh is " << dynamicMesh << ": the gas is"
+            << " solved on meshes at rest." << nl
+            << "Valid: staticFvMesh, or no file constant/dynamicMeshDict"
+            << exit(FatalIOError);
+    }
+
+    for (const word name : {"fvOptions", "MRFProperties"})
+    {
+        for (const fileName& folder : {fileName(time.constant()), fileName(time.system())})
+        {
+            const localIOdictionary sources(contents(name, folder));
+            for (const entry& e : sources)
+            {
+                if (e.isDict() && e.dict().getOrDefault("active", true))
+                {
+                    FatalIOErrorInFunction(sources)
+                        << "Entry " << e.keyword() << ": the gas takes no"
+                        << " sources or rotating zones from " << name << '.'
+                        << nl << "Set 'active no;' in it, or remove it"
+                        << exit(FatalIOError);
+                }
+            }
+        }
+    }
+
+    const localIOdictionary radiation
+    (
+        contents("radiationProperties", time.constant())
+    );
+    if
+    (
+        radiation.getOrDefault("radiation", true)
+     && radiation.getOrDefault<word>("radiationModel", "none") != "none"
+    )
+    {
+        FatalIOErrorInFunction(radiation)
+            << "Entry radiationModel is "
+            << radiation.get<word>("radiationModel")
+            << ": the gas does not radiate." << nl
+            << "Valid: none, or 'radiation off;'" << exit(FatalIOError);
+    }
+}
+
+
+void Foam::highSpeedGas::refuseTimeScheme() const
+{
+    const dictionary& schemes = mesh_.schemesDict().subDict("ddtSchemes");
+    static const wordHashSet local
+    {
+        "localEuler", "SLTS", "CoEuler", "steadyState"
+    };
+
+    for (const entry& e : schemes)
+    {
+        if (e.isDict())
+        {
+            continue;
+        }
+        const word name(e.stream());
+        if (local.found(name) && mode_ == modeType::transient)
+        {
+            FatalIOErrorInFunction(schemes)
+                << "Entry " << e.keyword() << " is " << name
+                << ", which leads to a steady state, but the gas is marched"
+                << " in time." << nl
+                << "For a steady state set 'mode steady;' in the block"
+                << " highSpeedGas of system/fvSolution; for a flow in time"
+                << " set Euler" << exit(FatalIOError);
+        }
+    }
+}
+
+
 void Foam::highSpeedGas::readSettings()
 {
     const dictionary& solution = mesh_.solutionDict();
@@ -45,6 +151,7 @@ void Foam::highSpeedGas::readSettings()
             << "Valid modes: " << modeNames.sortedToc() << exit(FatalIOError);
     }
     mode_ = modeNames[mode];
+    refuseTimeScheme();
 
     const bool steady = mode_ == modeType::steady;
     const wordList schemes
@@ -84,19 +191,38 @@ void Foam::highSpeedGas::readSettings()
         }
     };
 
-    maxCo_ = d.getOrDefault<scalar>("maxCo", implicit_ ? 100 : 0.5);
+    const dictionary& control = mesh_.time().controlDict();
+    adjustsTimeStep_ =
+        mode_ == modeType::transient
+     && control.getOrDefault("adjustTimeStep", false);
+
+    maxCo_ = d.getOrDefault<scalar>
+    (
+        "maxCo",
+        implicit_ ? 100 : adjustsTimeStep_ ? 1 : 0.5
+    );
     inRange
     (
         "maxCo", maxCo_, maxCo_ > 0 && maxCo_ <= (implicit_ ? 1e9 : 1),
         implicit_ ? "(0, 1e9]" : "(0, 1]"
     );
+    stepCo_ = control.getOrDefault<scalar>("maxCo", 0.5);
+    if (!(stepCo_ > 0 && stepCo_ < GREAT))
+    {
+        FatalIOErrorInFunction(control)
+            << "Entry maxCo is " << stepCo_ << "; its valid range is > 0"
+            << exit(FatalIOError);
+    }
     residual_ = d.getOrDefault<scalar>("residual", 1e-4);
     inRange("residual", residual_, residual_ > 0 && residual_ < 1, "(0, 1)");
     maxIterations_ = d.getOrDefault<label>("maxIterations", 10000);
     inRange("maxIterations", maxIterations_, maxIterations_ >= 1, ">= 1");
     reportEvery_ = d.getOrDefault<label>("reportEvery", 100);
     inRange("reportEvery", reportEvery_, reportEvery_ >= 1, ">= 1");
-    viscous_ = d.getOrDefault("viscous", false);
+    viscous_ = d.getOrDefault
+    (
+        "viscous", gasEquations::hasViscosity(*thermo_)
+    );
 }
 
 
@@ -226,7 +352,11 @@ Foam::highSpeedGas::highSpeedGas(const fvMesh& mesh)
     steady_(false),
     cpuTime_(0)
 {
+    refuseWhatIsNotSolved();
     readSettings();
+
+    // Written by this solver: the fields are taken as they are
+    const bool restarts = state_.typeHeaderOk<IOdictionary>(false);
     steady_ =
         mode_ == modeType::steady
      && state_.getOrDefault<scalar>("imbalance", GREAT) <= residual_;
@@ -234,10 +364,13 @@ Foam::highSpeedGas::highSpeedGas(const fvMesh& mesh)
     const sigFpe::ignore untrapped;     // A NaN must be looked at
     equations_.reset
     (
-        new gasEquations(mesh, *thermo_, U_, rho_, phi_, viscous_)
+        new gasEquations
+        (
+            mesh, *thermo_, U_, rho_, phi_, viscous_, restarts
+        )
     );
     march_.reset(new RungeKutta(*equations_, stages_));
-    publish();
+    publish(restarts);
 
     Info<< "Gas: mode " << modeNames[mode_]
         << (steady_ ? ", steady since an earlier run" : "") << endl;
@@ -246,14 +379,24 @@ Foam::highSpeedGas::highSpeedGas(const fvMesh& mesh)
 
 void Foam::highSpeedGas::setDeltaT(Time& runTime)
 {
-    const dictionary& control = runTime.controlDict();
-    if (frozen() || mode_ == modeType::steady
-     || !control.getOrDefault("adjustTimeStep", false))
+    if (frozen() || mode_ == modeType::steady)
     {
         return;
     }
-    const scalar stable = march_->stableStep(maxCo_);
-    const scalar largest = control.getOrDefault<scalar>("maxDeltaT", GREAT);
+    if (runTime.writeTime())
+    {
+        // Go on from what is written, so that a restart goes the same way
+        const sigFpe::ignore untrapped;
+        equations_->readFields(true);
+    }
+    if (!adjustsTimeStep_)
+    {
+        return;
+    }
+
+    const scalar stable = march_->centralStep(stepCo_);
+    const scalar largest =
+        runTime.controlDict().getOrDefault<scalar>("maxDeltaT", GREAT);
 
     // After a sudden rise of the stable step the flow may need some steps to
     // show why it was small
@@ -265,9 +408,9 @@ void Foam::highSpeedGas::setDeltaT(Time& runTime)
 }
 
 
-void Foam::highSpeedGas::publish()
+void Foam::highSpeedGas::publish(const bool asWritten)
 {
-    equations_->publish();
+    equations_->publish(asWritten);
 
     const gasMesh& geometry = equations_->geometry();
     std::vector<double> a;
@@ -302,15 +445,6 @@ void Foam::highSpeedGas::findSteadyState()
     state_.set("imbalance", solution.imbalance());
     state_.set("iterations", solution.iterations());
     steady_ = true;
-}
-
-
-void Foam::highSpeedGas::restartFromWritten()
-{
-    if (mesh_.time().writeTime())
-    {
-        equations_->conserveFromPrimitive();
-    }
 }
 
 
@@ -356,7 +490,6 @@ bool Foam::highSpeedGas::solve()
         }
     }
     publish();
-    restartFromWritten();
 
     cpuTime_ += mesh_.time().elapsedCpuTime() - start;
     return true;
@@ -374,7 +507,6 @@ void Foam::highSpeedGas::receive
 
     equations_->receive(momentum, energy);
     publish();
-    restartFromWritten();
 
     cpuTime_ += mesh_.time().elapsedCpuTime() - start;
 }

@@ -84,6 +84,18 @@ Foam::scalar Foam::RungeKutta::stableStep(const scalar Co)
 }
 
 
+Foam::scalar Foam::RungeKutta::centralStep(const scalar Co)
+{
+    gas_.centralRadius(lambda_);
+    scalar largest = GREAT;
+    for (label c = 0; c < gas_.geometry().nCells(); c++)
+    {
+        largest = min(largest, 2*gas_.geometry().volume[c]/lambda_[c]);
+    }
+    return Co*returnReduce(largest, minOp<scalar>());
+}
+
+
 Foam::label Foam::RungeKutta::advance
 (
     const scalar deltaT,
@@ -97,7 +109,9 @@ Foam::label Foam::RungeKutta::advance
     while (left > 0)
     {
         const scalar stable = caution*stableStep(maxCo);
-        const scalar n = ceil(left/stable - 1e-9);
+
+        // Time lengthens a step by up to 1 % to meet a write time
+        const scalar n = max(scalar(1), ceil(left/stable - 0.02));
         const scalar dt = n > 1 ? left/n : left;
 
         std::fill(step_.begin(), step_.end(), dt);
