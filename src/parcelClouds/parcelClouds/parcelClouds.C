@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "parcelClouds.H"
+#include "wallGasInterpolation.H"
 #include "withheldOutput.H"
 #include "HashSet.H"
 #include "IOdictionary.H"
@@ -113,6 +114,10 @@ Foam::parcelClouds::parcelClouds
     {
         return;
     }
+
+    // Before the first scheme for the velocity is made
+    wallGasVelocity::New(U);
+    selectWallGasInterpolation();
 
     const volScalarField& viscosity = mu();
     clouds_.resize(names.size());

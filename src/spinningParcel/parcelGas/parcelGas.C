@@ -13,6 +13,31 @@ template<class Type>
 void Foam::parcelGas::pack
 (
     const GeometricField<Type, fvPatchField, volMesh>& field,
+    const Field<Type>& pointValues,
+    const label offset
+)
+{
+    const auto fill =
+        [offset](std::vector<impact::gasState>& states, const Field<Type>& f)
+        {
+            for (std::size_t i = 0; i < states.size(); ++i)
+            {
+                double* to = &states[i].u.x + offset;
+                for (direction d = 0; d < pTraits<Type>::nComponents; ++d)
+                {
+                    to[d] = component(f[label(i)], d);
+                }
+            }
+        };
+    fill(cells_, field.primitiveField());
+    fill(points_, pointValues);
+}
+
+
+template<class Type>
+void Foam::parcelGas::pack
+(
+    const GeometricField<Type, fvPatchField, volMesh>& field,
     const label offset
 )
 {
@@ -27,20 +52,7 @@ void Foam::parcelGas::pack
             true
         )
     );
-    const auto fill =
-        [offset](std::vector<impact::gasState>& states, const Field<Type>& f)
-        {
-            for (std::size_t i = 0; i < states.size(); ++i)
-            {
-                double* to = &states[i].u.x + offset;
-                for (direction d = 0; d < pTraits<Type>::nComponents; ++d)
-                {
-                    to[d] = component(f[label(i)], d);
-                }
-            }
-        };
-    fill(cells_, field.primitiveField());
-    fill(points_, tpoints().primitiveField());
+    pack(field, tpoints().primitiveField(), offset);
 }
 
 
@@ -61,6 +73,7 @@ void Foam::parcelGas::set(const scalar value, const label offset)
 Foam::parcelGas::parcelGas(const fvMesh& mesh)
 :
     mesh_(mesh),
+    walls_(nullptr),
     events_(-2)
 {}
 
@@ -113,7 +126,8 @@ bool Foam::parcelGas::update
 
     cells_.resize(mesh_.nCells());
     points_.resize(mesh_.nPoints());
-    pack(U, 0);
+    wallGasVelocity& walls = wallGasVelocity::New(U);
+    pack(U, walls.pointValues().primitiveField(), 0);
     if (halfCurl)
     {
         pack(*halfCurl, 3);
@@ -135,6 +149,20 @@ bool Foam::parcelGas::update
     {
         set(1, 8);
     }
+
+    walls_ = &walls;
+    wallVertices_.resize(3*walls.nTriangles());
+    for (label i = 0; i < walls.nTriangles(); ++i)
+    {
+        for (label j = 0; j < 3; ++j)
+        {
+            impact::gasState& state = wallVertices_[3*i + j];
+            state = points_[walls[i].vertices[j]];
+            const vector u(state.u.x, state.u.y, state.u.z);
+            const vector bound = u + walls[i].at[j].lack(u);
+            state.u = toCore(bound);
+        }
+    }
     return true;
 }
 
@@ -144,10 +172,7 @@ void Foam::parcelGas::tetField::set(const parcelGas& gas, const particle& p)
     const polyMesh& mesh = p.mesh();
     const triFace tri(p.currentTetIndices().faceTriIs(mesh));
     values_[0] = &gas.cells_[p.cell()];
-    for (int i = 0; i < 3; ++i)
-    {
-        values_[i + 1] = &gas.points_[tri[i]];
-    }
+    gas.vertices(p, tri, values_ + 1);
     for (int i = 0; i < 4; ++i)
     {
         weights_[i] = p.coordinates()[i];
@@ -221,12 +246,14 @@ impact::gasState Foam::parcelGas::at(const particle& p) const
     const triFace tri(p.currentTetIndices().faceTriIs(p.mesh()));
     const barycentric& y = p.coordinates();
     const double w[4] = {y[0], y[1], y[2], y[3]};
+    const impact::gasState* values[3];
+    vertices(p, tri, values);
     return impact::interpolate
     (
         cells_[p.cell()],
-        points_[tri[0]],
-        points_[tri[1]],
-        points_[tri[2]],
+        *values[0],
+        *values[1],
+        *values[2],
         w
     );
 }
