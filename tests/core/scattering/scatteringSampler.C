@@ -302,7 +302,7 @@ TEST(scatteringSampler, followsManyBodiesAsTheGeneralSearchFollowsOne)
     variants.push_back({brick, 45, {1e6, 2e7, 0}, exit, rubbing, paper});
     variants.push_back({rod, 15, still, once, rubbing, steep});
 
-    // On the smooth wall, whose kernels take boxes to the end of a hop at once
+    // On the smooth wall
     const std::shared_ptr<const relief> smooth;
     const convexBody block = convexBody::box({a, 0.8*a, 0.6*a});
     for

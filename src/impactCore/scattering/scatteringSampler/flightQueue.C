@@ -117,33 +117,22 @@ void impact::scatteringSampler::flightQueue::add
 {
     int list[laneRoom];
     const int found = findLanes(n, mark, value, list);
-    add(found, list, lanes);
-}
-
-
-void impact::scatteringSampler::flightQueue::add
-(
-    int n,
-    const int* list,
-    const smoothLanes& lanes
-)
-{
     smoothFlights& f = work_.flights;
-    for (int k = 0; k < n; ++k)
+    for (int k = 0; k < found; ++k)
     {
         copyColumns<motionColumns>(laneOf(lanes, list[k]), laneOf(f, n_ + k));
     }
     if (!sampler_.vectorFlights_)
     {
-        for (int k = 0; k < n; ++k)
+        for (int k = 0; k < found; ++k)
         {
             finish(n_ + k);
         }
         return;
     }
-    std::fill_n(f.launched + n_, n, step_);
-    smoothLaunch(n_, n_ + n, sampler_.smooth_, f);
-    n_ += n;
+    std::fill_n(f.launched + n_, found, step_);
+    smoothLaunch(n_, n_ + found, sampler_.smooth_, f);
+    n_ += found;
 }
 
 

@@ -103,20 +103,12 @@ impact::scatteringSampler::scatteringSampler(const setup& s)
     smooth_.offset = smooth_.ellipsoid ? R - least : R;
     smooth_.bend = 1.0001
        *(R - rho + smooth_.offset*freeRotation::skewness(body));
-    double coupled = 0;
-    for (int i = 0; i < 3; ++i)
-    {
-        smooth_.pivot[i] = 1/(smooth_.J[i] + R*R);
-        coupled += smooth_.J[i]*smooth_.a[i]*smooth_.a[i]*smooth_.pivot[i];
-    }
-    smooth_.couple = R*R/coupled;
     smooth_.nVertices = int(body.vertices().size());
     const bool simple = smooth_.ellipsoid || body.isBox();
     smooth_.vertices = simple ? nullptr : vertices_.data();
     smooth_.normal = s.law.normal();
     smooth_.tangential = s.law.tangential();
     vectorFlights_ = simple && body.symmetryAxis() >= 0;
-    hops_ = vectorFlights_ && body.isBox();
 
     if (setup_.wall && setup_.wall->type() == relief::reliefType::rough)
     {

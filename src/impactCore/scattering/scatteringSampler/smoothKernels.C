@@ -202,8 +202,8 @@ impactInline vector3 spinJump
 }
 
 
-//- Arrival and first impact of ellipsoids that do not turn before it
-template<orientationLaw law>
+//- Arrival and first impact of bodies that do not turn before it
+template<orientationLaw law, bool ellipsoid>
 impactInline void meetStill
 (
     std::uint64_t seed,
@@ -227,7 +227,7 @@ impactInline void meetStill
             const vector3 ey = at(l.ey, i);
             vector3 r;
             l.y[i] = lowest
-                (true, a0, a1, a2, ey.x, ey.y, ey.z, r.x, r.y, r.z);
+                (ellipsoid, a0, a1, a2, ey.x, ey.y, ey.z, r.x, r.y, r.z);
             const vector3 w =
                 spinJump({J0, J1, J2}, r, arrival.contactChange(ex, ey));
             const vector3 dV = arrival.change(ex, ey, w, r);
@@ -299,13 +299,17 @@ impactInline void meetAny
     smoothLanes& l
 )
 {
-    if (b.axis == 3)
+    if (b.ellipsoid && b.axis == 3)
     {
         meetSphere(n, V, b, l);
     }
+    else if (b.ellipsoid)
+    {
+        meetStill<law, true>(seed, first, n, V, b, l);
+    }
     else
     {
-        meetStill<law>(seed, first, n, V, b, l);
+        meetStill<law, false>(seed, first, n, V, b, l);
     }
 }
 

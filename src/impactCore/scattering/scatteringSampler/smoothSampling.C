@@ -25,11 +25,6 @@ void impact::scatteringSampler::sampleSmooth
         sampleRough(first, n, w, result);
         return;
     }
-    if (setup_.body.isBox())
-    {
-        sampleBoxes(first, n, w, result);
-        return;
-    }
     const bool decide =
         setup_.treatment == wallVisit::treatmentType::firstImpact;
     const bool isotropic = setup_.orientation == orientationLaw::isotropic;
