@@ -162,10 +162,10 @@ void Foam::scatteringEntries::read
 (
     const dictionary& dict,
     const fileName& casePath,
-    impact::scatteringSampler::setup& setup
+    impact::wallEncounter& setup
 )
 {
-    typedef impact::wallVisit::treatmentType treatmentType;
+    typedef impact::visitTreatment visitTreatment;
 
     setup.body = readShape(dict.subDict("shape"), casePath);
     const dictionary& wallDict = dict.subDict("wall");
@@ -176,7 +176,7 @@ void Foam::scatteringEntries::read
         (
             wallDict, "treatment", "untilExit", {"untilExit", "firstImpact"}
         ) == "untilExit"
-      ? treatmentType::untilExit : treatmentType::firstImpact;
+      ? visitTreatment::untilExit : visitTreatment::firstImpact;
     setup.law = readLaw(dict.subDict("law"));
     setup.orientation =
         getWordOf

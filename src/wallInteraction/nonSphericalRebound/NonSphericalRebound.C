@@ -70,14 +70,13 @@ Foam::NonSphericalRebound<CloudType>::readWall
     const label setting
 ) const
 {
-    typedef impact::wallVisit::treatmentType treatmentType;
-
     const fileName casePath(this->owner().db().time().globalPath());
-    impact::scatteringSampler::setup setup;
+    impact::wallEncounter setup;
     scatteringEntries::read(dict, casePath, setup);
 
     wallData wall;
-    wall.firstImpact = setup.treatment == treatmentType::firstImpact;
+    wall.firstImpact =
+        setup.treatment == impact::visitTreatment::firstImpact;
     wall.sized = bool(setup.wall);
     wall.maxImpacts = setup.maxImpacts;
     wall.layDirection = Zero;

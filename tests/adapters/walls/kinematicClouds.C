@@ -220,7 +220,7 @@ TEST_F(kinematicWallModels, keyDrawsOnTheImpact)
     basicKinematicCloud cloud("sand", rho, U, mu, noGravity());
     const auto impacts = evolveOnce(cloud);
 
-    impact::scatteringSampler::setup setup;
+    impact::wallEncounter setup;
     setup.body = impact::convexBody::box({2e-5, 1.6e-5, 1.6e-5});
     setup.wall = std::make_shared<const impact::relief>
     (

@@ -8,6 +8,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "nonSphericalRebound.H"
+#include "scatteringSampler.H"
 #include "counterRandom.H"
 
 #include <gtest/gtest.h>
@@ -186,7 +187,7 @@ TEST(nonSphericalRebound, scattersAsTheSamplerDoes)
         (
             relief::sinusoidal(20e-6, 160e-6)
         );
-        s.treatment = wallVisit::treatmentType::firstImpact;
+        s.treatment = visitTreatment::firstImpact;
         EXPECT_LT
         (
             excess(histogram(s, arrival(15, 200), s.spin, n), reference(s, n)),

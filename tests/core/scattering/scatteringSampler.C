@@ -211,8 +211,8 @@ TEST(scatteringSampler, treatsAFlatReliefAsASmoothWall)
         (
             auto treatment :
             {
-                wallVisit::treatmentType::untilExit,
-                wallVisit::treatmentType::firstImpact
+                visitTreatment::untilExit,
+                visitTreatment::firstImpact
             }
         )
         {
@@ -253,12 +253,12 @@ TEST(scatteringSampler, followsManyBodiesAsTheGeneralSearchFollowsOne)
         convexBody body;
         double incidence;
         vector3 spin;
-        wallVisit::treatmentType treatment;
+        visitTreatment treatment;
         reboundLaw law;
         std::shared_ptr<const relief> wall;
     };
-    const auto exit = wallVisit::treatmentType::untilExit;
-    const auto once = wallVisit::treatmentType::firstImpact;
+    const auto exit = visitTreatment::untilExit;
+    const auto once = visitTreatment::firstImpact;
     const vector3 still = {0, 0, 0};
     const reboundLaw usual = reboundLaw::restitution();
     const auto paper = paperRelief();
@@ -473,9 +473,9 @@ TEST(scatteringSampler, showsWhatThePaperReports)
     {
         scatteringSampler::setup s = basic(body);
         s.orientation = orientationLaw::uniformEuler;
-        s.treatment = wallVisit::treatmentType::firstImpact;
+        s.treatment = visitTreatment::firstImpact;
         smooth.push_back(run(s, 100000));
-        s.treatment = wallVisit::treatmentType::untilExit;
+        s.treatment = visitTreatment::untilExit;
         s.wall = paperRelief();
         rough.push_back(run(s, 40000));
     }
@@ -536,7 +536,7 @@ TEST(scatteringSampler, showsWhatThePaperReports)
     EXPECT_EQ(smooth[1].count(S::pulling), 0);
     scatteringSampler::setup steep = basic(shapes[3]);
     steep.incidence = 45;
-    steep.treatment = wallVisit::treatmentType::firstImpact;
+    steep.treatment = visitTreatment::firstImpact;
     EXPECT_NEAR(share(run(steep, 100000), S::gaining), 0.09, 0.015);
     steep.body = shapes[1];
     EXPECT_EQ(run(steep, 100000).count(S::gaining), 0);

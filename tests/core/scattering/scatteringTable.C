@@ -7,6 +7,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "scatteringTable.H"
+#include "scatteringSampler.H"
 
 #include <gtest/gtest.h>
 #include <cmath>
@@ -344,11 +345,16 @@ TEST(scatteringTable, refusesAnotherWall)
     s.orientation = orientationLaw::uniformEuler;
     expect(s, "orientation");
     s = rough();
-    s.treatment = wallVisit::treatmentType::firstImpact;
+    s.treatment = visitTreatment::firstImpact;
     expect(s, "treatment");
     s = rough();
     s.spin = {0, 0, 1};
-    expect(s, "spin");
+    const scatteringTable turning(s, {10, 20}, 30);
+    EXPECT_NE
+    (
+        refusal([&] { turning.checkCovers(s, 10, 20); }).find("spin"),
+        std::string::npos
+    );
 
     s = rough();
     EXPECT_NE

@@ -69,7 +69,7 @@ impact::scatteringSampler::scatteringSampler(const setup& s)
             "spin", s.spin[i], "finite (rad/s)"
         );
     }
-    check(s.maxImpacts > 0, "maxImpacts", s.maxImpacts, "> 0");
+    s.check();
 
     double sine, cosine;
     sinCosTurns(s.incidence/360, sine, cosine);

@@ -854,7 +854,7 @@ impact::wallVisit::wallVisit
 (
     const convexBody& body,
     const reboundLaw& law,
-    treatmentType treatment,
+    visitTreatment treatment,
     int maxImpacts
 )
 :
@@ -1262,7 +1262,7 @@ impact::visitResult impact::wallVisit::visitWith
         {
             break;
         }
-        if (treatment_ == treatmentType::firstImpact && impacts > 0)
+        if (treatment_ == visitTreatment::firstImpact && impacts > 0)
         {
             // Would strike again
             out.second = true;

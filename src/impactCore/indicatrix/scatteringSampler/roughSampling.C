@@ -241,7 +241,7 @@ void impact::scatteringSampler::sampleRandomRelief
 {
     const relief& wall = *setup_.wall;
     const bool once =
-        setup_.treatment == wallVisit::treatmentType::firstImpact;
+        setup_.treatment == visitTreatment::firstImpact;
     const double small = 1e-3*mag(V1_);
     const double V[3] = {V1_.x, V1_.y, V1_.z};
     const double spin[3] = {setup_.spin.x, setup_.spin.y, setup_.spin.z};

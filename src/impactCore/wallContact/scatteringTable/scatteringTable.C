@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "scatteringTable.H"
+#include "scatteringSampler.H"
 
 #include <algorithm>
 #include <cmath>
@@ -90,7 +91,8 @@ std::string keyOf(const std::string& line)
 
 std::vector<std::string> impact::scatteringTable::describe
 (
-    const scatteringSampler::setup& s
+    const wallEncounter& s,
+    const vector3& spin
 )
 {
     std::vector<std::string> lines;
@@ -157,7 +159,7 @@ std::vector<std::string> impact::scatteringTable::describe
     }
     lines.push_back
     (
-        s.treatment == wallVisit::treatmentType::untilExit
+        s.treatment == visitTreatment::untilExit
       ? text("treatment untilExit ", s.maxImpacts)
       : text("treatment firstImpact")
     );
@@ -168,7 +170,7 @@ std::vector<std::string> impact::scatteringTable::describe
     );
     lines.push_back
     (
-        text("spin ", s.spin.x, ' ', s.spin.y, ' ', s.spin.z)
+        text("spin ", spin.x, ' ', spin.y, ' ', spin.z)
     );
     return lines;
 }
@@ -176,12 +178,12 @@ std::vector<std::string> impact::scatteringTable::describe
 
 impact::scatteringTable::scatteringTable
 (
-    const scatteringSampler::setup& setup,
+    const samplerSetup& setup,
     const std::vector<double>& incidences,
     int nRows
 )
 :
-    description_(describe(setup)),
+    description_(describe(setup, setup.spin)),
     incidences_(incidences),
     nRows_(nRows),
     radius_(setup.body.radius()),
@@ -201,7 +203,7 @@ impact::scatteringTable::scatteringTable
                 incidences[i - 1], ": they must increase"
             );
         }
-        scatteringSampler::setup one(setup);
+        samplerSetup one(setup);
         one.incidence = incidences[i];
         const scatteringSampler sampler(one);
         const double unit = radius_/one.speed;
@@ -413,12 +415,12 @@ impact::scatteringTable::scatteringTable(const std::string& fileName)
 
 void impact::scatteringTable::checkCovers
 (
-    const scatteringSampler::setup& request,
+    const wallEncounter& request,
     double lowest,
     double highest
 ) const
 {
-    for (const std::string& wanted : describe(request))
+    for (const std::string& wanted : describe(request, {0, 0, 0}))
     {
         const std::string key = keyOf(wanted);
         const auto has = std::find_if

@@ -80,27 +80,25 @@ impact::wallFrame impact::wallFrame::along
 
 impact::nonSphericalRebound::nonSphericalRebound
 (
-    const scatteringSampler::setup& setup
+    const wallEncounter& encounter
 )
 :
-    body_(setup.body),
-    treatment_(setup.treatment),
-    orientation_(setup.orientation),
-    wall_(setup.wall),
-    diameter_(std::cbrt(6*setup.body.volume()/pi)),
-    visit_(body_, setup.law, setup.treatment, setup.maxImpacts),
+    encounter_(encounter),
+    diameter_(std::cbrt(6*encounter.body.volume()/pi)),
+    visit_
+    (
+        encounter_.body, encounter.law, encounter.treatment,
+        encounter.maxImpacts
+    ),
     scaled_
     (
         // Long enough to be crossed at any incidence within one interval
-        setup.wall ? *setup.wall : relief::flat(1e6*setup.body.radius())
+        encounter.wall
+      ? *encounter.wall : relief::flat(1e6*encounter.body.radius())
     ),
     piece_(scaled_, 0, guardKnots)
 {
-    // The sampler knows the ranges of all values
-    scatteringSampler::setup check(setup);
-    check.incidence = 90;
-    check.speed = 1;
-    scatteringSampler{check};
+    encounter.check();
 }
 
 
@@ -109,21 +107,7 @@ impact::nonSphericalRebound::nonSphericalRebound
     const nonSphericalRebound& other
 )
 :
-    body_(other.body_),
-    treatment_(other.treatment_),
-    orientation_(other.orientation_),
-    wall_(other.wall_),
-    diameter_(other.diameter_),
-    visit_
-    (
-        body_,
-        other.visit_.law(),
-        other.treatment_,
-        other.visit_.maxImpacts()
-    ),
-    scaled_(other.scaled_),
-    scale_(other.scale_),
-    piece_(scaled_, 0, guardKnots)
+    nonSphericalRebound(other.encounter_)
 {}
 
 
@@ -131,11 +115,59 @@ void impact::nonSphericalRebound::setScale(double scale)
 {
     if (scale != scale_)
     {
-        scaled_.setScaled(*wall_, scale);
+        scaled_.setScaled(*encounter_.wall, scale);
         scale_ = scale;
-        if (wall_->type() != relief::reliefType::rough)
+        if (encounter_.wall->type() != relief::reliefType::rough)
         {
             piece_.start(0, 1);
+        }
+    }
+}
+
+
+void impact::nonSphericalRebound::placeOverRelief
+(
+    const impactKey& key,
+    bodyState& b,
+    std::int64_t& hint
+)
+{
+    // Room for the descent from the highest crest to the mean plane. A
+    // particle that goes further makes the piece grow. On a long way down
+    // most have struck before.
+    const double R = encounter_.body.radius();
+    b.y = scaled_.top() + R;
+    const double along = std::min(b.V.x/-b.V.y, 1e4);
+    const double high = 2.3*along*scaled_.sigmaHeight();
+    const double descent = b.y*along + 4*R
+      - (high > 8*scaled_.meanSpacing() ? high : 0);
+    const int stretch = int
+    (
+        std::min(1024., 5 + descent/scaled_.meanSpacing())
+    );
+
+    // The body may reach back from where it begins, hardly further than
+    // these
+    const double variation = 3*scaled_.sigmaSpacing();
+    const int before = 1 + int
+    (
+        std::min(1024., R/(scaled_.meanSpacing() - variation))
+    );
+    hint = before;
+
+    piece_.start(key.stream ^ key.seed, before + stretch);
+
+    // Long intervals hold more places than short ones
+    const double longest = scaled_.meanSpacing() + variation;
+    for (std::uint32_t attempt = 0; ; ++attempt, ++hint)
+    {
+        const keyedUnits p(key, attempt, drawPurpose::position);
+        const double begin = piece_.knot(hint);
+        const double length = piece_.knot(hint + 1) - begin;
+        if (p.u0*longest < length)
+        {
+            b.x = begin + p.u1*length;
+            return;
         }
     }
 }
@@ -150,10 +182,11 @@ impact::wallDeparture impact::nonSphericalRebound::depart
 )
 {
     wallDeparture out = {};
+    const convexBody& body = encounter_.body;
+    const relief* const wall = encounter_.wall.get();
     const double scale = diameter_/diameter;
-    const bool random =
-        wall_ && wall_->type() == relief::reliefType::rough;
-    if (wall_)
+    const bool random = wall && wall->type() == relief::reliefType::rough;
+    if (wall)
     {
         setScale(scale);
     }
@@ -183,7 +216,7 @@ impact::wallDeparture impact::nonSphericalRebound::depart
 
     const keyedUnits o(key, 0, drawPurpose::orientation);
     rotationState& r = b.rotation;
-    if (orientation_ == orientationLaw::isotropic)
+    if (encounter_.orientation == orientationLaw::isotropic)
     {
         orient<orientationLaw::isotropic>(o.u0, o.u1, o.u2, r.ex, r.ey);
     }
@@ -194,67 +227,28 @@ impact::wallDeparture impact::nonSphericalRebound::depart
     r.omega = spin.x*r.ex + spin.y*r.ey + spin.z*r.ez();
 
     std::int64_t hint = 0;
-    if (!wall_)
+    if (random)
     {
-        const bool spins = dot(spin, spin) > 0 && !body_.isSphere();
-        const vector3 down = -r.ey;
-        b.y = spins ? body_.radius() : dot(body_.support(down), down);
-        b.x = 0.5*scaled_.period();
+        placeOverRelief(key, b, hint);
     }
-    else if (!random)
+    else if (wall)
     {
         const keyedUnits p(key, 0, drawPurpose::position);
-        b.y = scaled_.top() + body_.radius();
+        b.y = scaled_.top() + body.radius();
         b.x = p.u0*scaled_.period();
         hint = std::int64_t(p.u0*double(scaled_.table().size()));
     }
     else
     {
-        // Room for the descent from the highest crest to the mean plane. A
-        // particle that goes further makes the piece grow. On a long way down
-        // most have struck before.
-        b.y = scaled_.top() + body_.radius();
-        const double along = std::min(b.V.x/-b.V.y, 1e4);
-        const double high = 2.3*along*scaled_.sigmaHeight();
-        const double descent = b.y*along + 4*body_.radius()
-          - (high > 8*scaled_.meanSpacing() ? high : 0);
-        const int stretch = int
-        (
-            std::min(1024., 5 + descent/scaled_.meanSpacing())
-        );
-
-        // The body may reach back from where it begins, hardly further than
-        // these
-        const double variation = 3*scaled_.sigmaSpacing();
-        const int before = 1 + int
-        (
-            std::min
-            (
-                1024., body_.radius()/(scaled_.meanSpacing() - variation)
-            )
-        );
-        hint = before;
-
-        piece_.start(key.stream ^ key.seed, before + stretch);
-
-        // Long intervals hold more places than short ones
-        const double longest = scaled_.meanSpacing() + variation;
-        for (std::uint32_t attempt = 0; ; ++attempt, ++hint)
-        {
-            const keyedUnits p(key, attempt, drawPurpose::position);
-            const double begin = piece_.knot(hint);
-            const double length = piece_.knot(hint + 1) - begin;
-            if (p.u0*longest < length)
-            {
-                b.x = begin + p.u1*length;
-                break;
-            }
-        }
+        const bool spins = dot(spin, spin) > 0 && !body.isSphere();
+        const vector3 down = -r.ey;
+        b.y = spins ? body.radius() : dot(body.support(down), down);
+        b.x = 0.5*scaled_.period();
     }
 
     const visitResult result = visit_.visit(b, piece_, hint);
 
-    const vector3& J = body_.inertia();
+    const vector3& J = body.inertia();
     const rotationState& after = result.state.rotation;
     out.V = result.state.V;
     if (result.capped && out.V.y < 0)

@@ -26,7 +26,7 @@ void impact::scatteringSampler::sampleSmooth
         return;
     }
     const bool decide =
-        setup_.treatment == wallVisit::treatmentType::firstImpact;
+        setup_.treatment == visitTreatment::firstImpact;
     const bool isotropic = setup_.orientation == orientationLaw::isotropic;
     const double V[3] = {V1_.x, V1_.y, V1_.z};
     const double spin[3] = {setup_.spin.x, setup_.spin.y, setup_.spin.z};
