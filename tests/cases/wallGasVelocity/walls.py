@@ -75,7 +75,7 @@ solve(case)
 
 write_foam(case, "system/fvSolution", "highSpeedGas { mode frozen; }")
 write_foam(case, "system/part",
-           "endTime 1.4e-4; deltaT 2e-7; writeInterval 1.39e-4;")
+           "endTime 2e-4; deltaT 2e-7; writeInterval 1e-4;")
 clouds = ("embedded", "cellPoint", "cellPointFace")
 for cloud in clouds:
     embedded = cloud == "embedded"
