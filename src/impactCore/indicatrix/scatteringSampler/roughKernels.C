@@ -7,6 +7,7 @@
 #include "roughKernels.H"
 #include "elementary.H"
 #include "philoxLanes.H"
+#include "searchStep.H"
 #include "vector3.H"
 
 namespace
@@ -19,18 +20,6 @@ constexpr double manyTrials = 2000;
 
 //- Newton steps of one trial; an ellipse that needs more goes on in the next
 constexpr int newtonSteps = 4;
-
-
-impactInline double larger(double a, double b)
-{
-    return a > b ? a : b;
-}
-
-
-impactInline double smaller(double a, double b)
-{
-    return a < b ? a : b;
-}
 
 
 //- v turned about the unit vector k
@@ -284,8 +273,8 @@ impactInline void advance
 {
     const double R = body.radius;
     const double a = body.a, b = body.b, c = body.c;
-    const double tolerance = 1e-11*R;
-    const double allowed = 1e-10*R;
+    const double tolerance = contactTolerance*R;
+    const double allowed = allowedDepth*R;
     const double tiny = 1e-12*R;
     for (int i = 0; i < n; ++i)
     {
@@ -453,7 +442,7 @@ impactInline void advance
               - low.slope*(wy*low.r.z - wz*low.r.y);
         }
 
-        // As in wallVisit::search
+        // See searchStep
         const double g1_ = low.gap;
         const double g0_ = l.gap[i];
         const double reach = l.reach[i];
@@ -465,7 +454,7 @@ impactInline void advance
         const bool shortest = tau <= least;
         const bool falling = rate1 < 0;
         const bool clear =
-            (!pierced) & (((root0 + root1)*reach > tau) | shortest);
+            (!pierced) & (clears(root0, root1, reach, tau) | shortest);
         const bool touches = clear & falling & (g1_ <= tolerance);
         const bool stuck = pierced & shortest;
         const bool strikes = settled & (touches | (stuck & falling));
@@ -474,27 +463,10 @@ impactInline void advance
         const bool special =
             sharp | (settled & stuck & !falling) | (trials > manyTrials);
 
-        // Pierced: Newton's step back, or the chord's, and not beyond what
-        // is certain
-        const double slope = -nonZero(std::fabs(rate1));
-        double back = tau - g1_/slope;
-        const double chord =
-            tau*g0_/(std::fabs(g0_ - g1_) + 1e-30*R);
-        back = falling & (back > 0) & (back < tau) ? back : chord;
-        back = larger(back, 0.01*tau);
-        const double sure = smaller(0.999*reach*root0, 0.9*tau);
-        back = back >= reach*root0 ? sure : back;
-        back = smaller(back, 0.9999999*tau);
-
-        // Uncertain: a shorter step
-        const double shorter =
-            smaller(0.9*reach*(root0 + root1), 0.9*tau);
-
-        // Certain: on from there
-        const double ahead = 0.9*reach*(reach*rate1 + 2*root1);
-        const double newton = -above/slope;
-        const double longer =
-            falling & (newton < 0.99*reach*root1) ? newton : ahead;
+        const double back =
+            stepBack(tau, g0_, g1_, root0, rate1, reach, 1e-30*R);
+        const double shorter = stepShorter(tau, root0, root1, reach);
+        const double longer = stepAhead(above, root1, rate1, reach, 0.9);
         const double room = l.end[i] - t1;
         const double onward = smaller(larger(longer, least), room);
 
@@ -562,7 +534,7 @@ impactInline void begin
     l.wide[i] = wide;
     l.turning[i] = body.bend*w2;
     l.speedX[i] = std::fabs(V.x) + magW*body.lever;
-    l.least[i] = 1e-10*R/(speed + magW*R + 1e-100);
+    l.least[i] = leastWay*R/(speed + magW*R + 1e-100);
     l.t[i] = 0;
     l.gap[i] = 0;
     l.tau[i] = 0;

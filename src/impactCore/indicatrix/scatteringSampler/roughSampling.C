@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "samplerWorkspace.H"
+#include "searchStep.H"
 
 #include <cmath>
 #include <limits>
@@ -139,10 +140,8 @@ bool moveWindow
         return true;
     }
     const double gap = l.gap[i], rate = l.rate[i];
-    const double root = std::sqrt(gap + 1e-10*body.radius);
-    const double tau =
-        rate < 0 && gap < -0.99*rate*reach*root
-      ? -gap/rate : 0.9*reach*(reach*rate + 2*root);
+    const double root = std::sqrt(gap + impact::allowedDepth*body.radius);
+    const double tau = impact::stepAhead(gap, root, rate, reach, 0.9);
     l.tau[i] = std::min(std::max(tau, least), room);
     return true;
 }

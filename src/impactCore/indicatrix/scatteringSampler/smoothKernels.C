@@ -4,6 +4,7 @@
 
 #include "vectorTargets.H"
 
+#include "searchStep.H"
 #include "smoothInline.H"
 
 namespace
@@ -324,7 +325,7 @@ impactInline void advance
 {
     const double a0 = b.a[0], a1 = b.a[1], a2 = b.a[2];
     const double R = b.radius;
-    const double tolerance = 1e-11*R;
+    const double tolerance = contactTolerance*R;
     const double near = std::sqrt(0.5*tolerance);
     for (int i = 0; i < n; ++i)
     {
@@ -346,7 +347,7 @@ impactInline void advance
         const double y1 = f.y[i] + f.V[1][i]*t1;
         const double g1 = y1 - h;
 
-        // As in wallVisit::search
+        // See searchStep
         const double reach = f.reach[i];
         const double least = f.least[i];
         const double longest = 8e10*least;
@@ -356,22 +357,21 @@ impactInline void advance
         const bool pierced = g1 < -tolerance;
         const bool shortest = tau <= least;
         const bool clear =
-            ((root0 + root1)*reach > tau) | (!pierced & shortest);
+            clears(root0, root1, reach, tau) | (!pierced & shortest);
         const bool gone = !pierced & clear & (f.V[1][i] > 0) & (y1 > R);
         if (decide)
         {
             const bool step = live & !pierced & clear;
             const double longer = 1.9*reach*root1;
             const double trial =
-                step ? (longer > least ? longer : least) : 0.5*tau;
+                step ? larger(longer, least) : 0.5*tau;
             const double now = 2*(pierced ? 1. : 0.) + (gone ? 1. : 0.);
             f.status[i] = live ? now : before;
             f.ended[i] = int(live ? now : before);
             f.t[i] = t0 + (step ? tau : 0.);
             f.gap[i] = step ? above : g0;
             f.root[i] = step ? root1 : root0;
-            const double next = trial < longest ? trial : longest;
-            f.tau[i] = next > least ? next : least;
+            f.tau[i] = larger(smaller(trial, longest), least);
         }
         else
         {
@@ -381,44 +381,30 @@ impactInline void advance
               + mx*(wy*rz - wz*ry) + my*(wz*rx - wx*rz)
               + mz*(wx*ry - wy*rx);
             const bool falling = rate1 < 0;
-            const double inverse = -1/nonZero(std::fabs(rate1));
             const bool strikes =
                 (pierced & shortest)
              | (!pierced & clear & falling & (g1 <= tolerance));
             const bool step = live & !pierced & clear & !strikes;
 
-            // Pierced: Newton's step back, or the chord's, and not beyond
-            // what is certain
-            const double newton = (pierced ? g1 : above)*inverse;
-            double back = tau - newton;
-            const double chord =
-                tau*g0/(std::fabs(g0 - g1) + 1e-30*R);
-            back = falling & (back > 0) & (back < tau) ? back : chord;
-            back = back > 0.01*tau ? back : 0.01*tau;
-            const double certain = 0.999*reach*root0;
-            const double cut = certain < 0.9*tau ? certain : 0.9*tau;
-            back = (back >= reach*root0) & (root0 > 0) ? cut : back;
-            back = back < 0.9999999*tau ? back : 0.9999999*tau;
+            const double back =
+                stepBack(tau, g0, g1, root0, rate1, reach, 1e-30*R);
+            const double shorter = stepShorter(tau, root0, root1, reach);
 
-            // Uncertain: a shorter step
-            double shorter = 0.9*reach*(root0 + root1);
-            shorter = shorter < 0.9*tau ? shorter : 0.9*tau;
-
-            // Certain: on from there
+            // A box no further than where it may strike
+            const double newton = newtonStep(above, rate1);
+            const bool sure = reaches(newton, rate1, reach, root1);
             const double ahead =
-                0.9*reach*(reach*rate1 + 2*root1);
-            const bool sure = falling & (-newton < 0.99*reach*root1);
+                stepAhead(above, root1, rate1, reach, 0.9);
             const double left = f.target[i] - t1;
-            const double hence =
-                (!ellipsoid) & (left > 0) & (left < ahead) ? left : ahead;
-            const double longer = sure ? -newton : hence;
-
+            const double longer =
+                (!ellipsoid) & !sure & (left > 0) & (left < ahead)
+              ? left : ahead;
             const double trial =
                 pierced ? back : step ? longer : shorter;
 
             // Newton's estimate is off by less than the tolerance: no need
             // to look
-            const bool last = step & sure & (-newton <= near*reach);
+            const bool last = step & sure & (newton <= near*reach);
             const double now =
                 2*(strikes | last ? 1. : 0.) + (gone & !last ? 1. : 0.);
             f.status[i] = live ? now : before;
@@ -426,8 +412,7 @@ impactInline void advance
             f.t[i] = t0 + (step ? tau : 0.);
             f.gap[i] = step ? above : g0;
             f.root[i] = step ? root1 : root0;
-            const double capped = trial < longest ? trial : longest;
-            const double next = capped > least ? capped : least;
+            const double next = larger(smaller(trial, longest), least);
             f.tau[i] = strikes | !live ? tau : next;
         }
     }
@@ -549,7 +534,7 @@ impactInline void begin
             std::sqrt(Vx*Vx + Vy*Vy) + std::sqrt(w2)*R;
         const double bound =
             nonZero(bend*w2 + 1e-30*fastest*fastest/R);
-        const double least = 1e-10*R/(fastest + 1e-100);
+        const double least = leastWay*R/(fastest + 1e-100);
         f.axisL[0][i] = unit*Lx;
         f.axisL[1][i] = unit*Ly;
         f.axisL[2][i] = unit*Lz;
