@@ -262,6 +262,170 @@ impactInline void turnTo
 }
 
 
+//- The lowest point of a box over the relief; g0, g1, g2: the half edges of
+//  its shadow, towards x
+template<int number>
+impactInline lowestPoint lowestOfBox
+(
+    double cx,
+    double cy,
+    vector3 g0,
+    vector3 g1,
+    vector3 g2,
+    double R,
+    const ground<number>& under
+)
+{
+    const double tiny = 1e-12*R;
+    lowestPoint low;
+    bySlope(g0, g1);
+    bySlope(g1, g2);
+    bySlope(g0, g1);
+    const vector3 half = sum(sum(g0, g1, 1), g2, 1);
+    const vector3 v0 = {-half.x, -half.y, -half.z};
+    const vector3 v1 = sum(v0, g0, 2);
+    const vector3 v2 = sum(v1, g1, 2);
+    low.r = v0;
+    low.x = cx + v0.x;
+    low.gap = cy + v0.y - under.at(low.x).height(low.x);
+    offerCorner(cx, cy, v1, under, low);
+    offerCorner(cx, cy, v2, under, low);
+    offerCorner(cx, cy, half, under, low);
+
+    const double x0 = cx + v0.x, x1 = cx + v1.x;
+    const double x2 = cx + v2.x, x3 = cx + half.x;
+    const double m0 = g0.y/(g0.x + tiny);
+    const double m1 = g1.y/(g1.x + tiny);
+    const double m2 = g2.y/(g2.x + tiny);
+    auto crest = [&]
+    (
+        const vector3& r,
+        const vector3& g,
+        double m,
+        double xa,
+        double xb
+    ) __attribute__((always_inline))
+    {
+        #pragma GCC unroll 3
+        for (int k = 0; k < number; ++k)
+        {
+            const double from = k > 0 ? under.split[k - 1] : xa;
+            offerCrest
+            (
+                cx, cy, r, g, m, larger(xa, from),
+                smaller(xb, under.split[k]), R, under.part[k], low
+            );
+        }
+    };
+    crest(v0, g0, m0, x0, x1);
+    crest(v1, g1, m1, x1, x2);
+    crest(v2, g2, m2, x2, x3);
+    low.slope = under.at(low.x).slope(low.x);
+    return low;
+}
+
+
+//- The lower arc of an elliptic shadow
+struct shadowArc
+{
+    double width, lean, depth;
+};
+
+
+//- The lowest point of an ellipsoid over the relief
+//  \param steep  largest slope of the relief
+//  \param p  where on the arc it was lowest, and is
+//  \param sharp  the relief bends more than the arc: there may be two
+//  \return  has Newton's method settled?
+template<roughBody::shapeType shape, int number>
+impactInline bool lowestOfArc
+(
+    double cx,
+    double cy,
+    const roughBody& body,
+    const vector3& u,
+    const shadowArc& arc,
+    double steep,
+    const ground<number>& under,
+    double& p,
+    bool& sharp,
+    lowestPoint& low
+)
+{
+    const double R = body.radius, a = body.a, b = body.b;
+    const double width = arc.width, lean = arc.lean, depth = arc.depth;
+
+    // The slope of the lower arc is lean + p depth/width at
+    // xi = p/sqrt(1 + p^2). A relief that nowhere under it bends as
+    // much as the arc where that is flattest has one lowest point
+    const double f = width/depth;
+    const double left = cx - width;
+    const double right = cx + width;
+    double bend =
+        larger(under.at(left).bend(left), under.at(right).bend(right));
+    for (int k = 0; k + 1 < number; ++k)
+    {
+        const double at = under.split[k];
+        const double there = under.part[k + 1].bend(at);
+        const bool more = (left < at) & (right > at) & (there > bend);
+        bend = more ? there : bend;
+    }
+    sharp = !(bend*width*f < 0.999);
+
+    double lo = (-steep - lean)*f*1.0001 - 1e-6;
+    double hi = (steep - lean)*f*1.0001 + 1e-6;
+    double at = p;
+    at = (at > lo) & (at < hi) ? at : 0.5*(lo + hi);
+    bool settled = false;
+    #pragma GCC unroll 4
+    for (int k = 0; k < newtonSteps; ++k)
+    {
+        const double s = 1/std::sqrt(1 + at*at);
+        const double x = cx + width*at*s;
+        const cubic in = under.at(x);
+        const double e = at - (in.slope(x) - lean)*f;
+        const double rate = 1 - in.bend(x)*f*width*s*s*s;
+        lo = e > 0 ? lo : at;
+        hi = e > 0 ? at : hi;
+        const double step = e/(positivePart(rate - 1e-3) + 1e-3);
+        const double next = at - step;
+
+        // An error of p left here comes back squared
+        settled = std::fabs(step) <= 1e-5*(1 + std::fabs(at));
+        const bool good = settled | ((next > lo) & (next < hi));
+        at = good ? next : 0.5*(lo + hi);
+    }
+    p = at;
+    const double s = 1/std::sqrt(1 + at*at);
+    const double xi = at*s;
+    low.x = cx + width*xi;
+    const cubic in = under.at(low.x);
+    low.slope = in.slope(low.x);
+    low.gap =
+        cy + lean*width*xi - depth*s - in.height(low.x);
+    if (shape == roughBody::sphere)
+    {
+        low.r = {R*xi, -R*s, 0};
+    }
+    else
+    {
+        // The support along the outward normal of the arc
+        const double m = lean + at/f;
+        const double un = m*u.x - u.y;
+        const double a2 = a*a, b2 = b*b;
+        const double across2 = b2*(m*m + 1 - un*un);
+        const double g =
+            1/std::sqrt(positivePart(across2) + a2*un*un);
+        const double d = (a2 - b2)*un;
+        low.r =
+        {
+            g*(b2*m + d*u.x), g*(d*u.y - b2), g*d*u.z
+        };
+    }
+    return settled;
+}
+
+
 //- \tparam number  of intervals that the shadow may lie over
 template<roughBody::shapeType shape, int number>
 impactInline void advance
@@ -275,7 +439,6 @@ impactInline void advance
     const double a = body.a, b = body.b, c = body.c;
     const double tolerance = contactTolerance*R;
     const double allowed = allowedDepth*R;
-    const double tiny = 1e-12*R;
     for (int i = 0; i < n; ++i)
     {
         const double tau = l.tau[i];
@@ -315,119 +478,17 @@ impactInline void advance
         bool settled = true, sharp = false;
         if (shape == roughBody::box)
         {
-            bySlope(g0, g1);
-            bySlope(g1, g2);
-            bySlope(g0, g1);
-            const vector3 half = sum(sum(g0, g1, 1), g2, 1);
-            const vector3 v0 = {-half.x, -half.y, -half.z};
-            const vector3 v1 = sum(v0, g0, 2);
-            const vector3 v2 = sum(v1, g1, 2);
-            low.r = v0;
-            low.x = cx + v0.x;
-            low.gap = cy + v0.y - under.at(low.x).height(low.x);
-            offerCorner(cx, cy, v1, under, low);
-            offerCorner(cx, cy, v2, under, low);
-            offerCorner(cx, cy, half, under, low);
-
-            const double x0 = cx + v0.x, x1 = cx + v1.x;
-            const double x2 = cx + v2.x, x3 = cx + half.x;
-            const double m0 = g0.y/(g0.x + tiny);
-            const double m1 = g1.y/(g1.x + tiny);
-            const double m2 = g2.y/(g2.x + tiny);
-            auto crest = [&]
-            (
-                const vector3& r,
-                const vector3& g,
-                double m,
-                double xa,
-                double xb
-            ) __attribute__((always_inline))
-            {
-                #pragma GCC unroll 3
-                for (int k = 0; k < number; ++k)
-                {
-                    const double from = k > 0 ? under.split[k - 1] : xa;
-                    offerCrest
-                    (
-                        cx, cy, r, g, m, larger(xa, from),
-                        smaller(xb, under.split[k]), R, under.part[k], low
-                    );
-                }
-            };
-            crest(v0, g0, m0, x0, x1);
-            crest(v1, g1, m1, x1, x2);
-            crest(v2, g2, m2, x2, x3);
-            low.slope = under.at(low.x).slope(low.x);
+            low = lowestOfBox(cx, cy, g0, g1, g2, R, under);
         }
         else
         {
-            // The slope of the lower arc is lean + p depth/width at
-            // xi = p/sqrt(1 + p^2). A relief that nowhere under it bends as
-            // much as the arc where that is flattest has one lowest point
-            const double f = width/depth;
-            const double left = cx - width;
-            const double right = cx + width;
-            double bend =
-                larger(under.at(left).bend(left), under.at(right).bend(right));
-            for (int k = 0; k + 1 < number; ++k)
-            {
-                const double at = under.split[k];
-                const double there = under.part[k + 1].bend(at);
-                const bool more = (left < at) & (right > at) & (there > bend);
-                bend = more ? there : bend;
-            }
-            sharp = !(bend*width*f < 0.999);
-
-            double lo = (-l.steep[i] - lean)*f*1.0001 - 1e-6;
-            double hi = (l.steep[i] - lean)*f*1.0001 + 1e-6;
-            double at = l.p[i];
-            at = (at > lo) & (at < hi) ? at : 0.5*(lo + hi);
-            settled = false;
-            #pragma GCC unroll 4
-            for (int k = 0; k < newtonSteps; ++k)
-            {
-                const double s = 1/std::sqrt(1 + at*at);
-                const double x = cx + width*at*s;
-                const cubic in = under.at(x);
-                const double e = at - (in.slope(x) - lean)*f;
-                const double rate = 1 - in.bend(x)*f*width*s*s*s;
-                lo = e > 0 ? lo : at;
-                hi = e > 0 ? at : hi;
-                const double step = e/(positivePart(rate - 1e-3) + 1e-3);
-                const double next = at - step;
-
-                // An error of p left here comes back squared
-                settled = std::fabs(step) <= 1e-5*(1 + std::fabs(at));
-                const bool good = settled | ((next > lo) & (next < hi));
-                at = good ? next : 0.5*(lo + hi);
-            }
-            l.p[i] = at;
-            const double s = 1/std::sqrt(1 + at*at);
-            const double xi = at*s;
-            low.x = cx + width*xi;
-            const cubic in = under.at(low.x);
-            low.slope = in.slope(low.x);
-            low.gap =
-                cy + lean*width*xi - depth*s - in.height(low.x);
-            if (shape == roughBody::sphere)
-            {
-                low.r = {R*xi, -R*s, 0};
-            }
-            else
-            {
-                // The support along the outward normal of the arc
-                const double m = lean + at/f;
-                const double un = m*u.x - u.y;
-                const double a2 = a*a, b2 = b*b;
-                const double across2 = b2*(m*m + 1 - un*un);
-                const double g =
-                    1/std::sqrt(positivePart(across2) + a2*un*un);
-                const double d = (a2 - b2)*un;
-                low.r =
-                {
-                    g*(b2*m + d*u.x), g*(d*u.y - b2), g*d*u.z
-                };
-            }
+            double p = l.p[i];
+            settled = lowestOfArc<shape>
+            (
+                cx, cy, body, u, {width, lean, depth}, l.steep[i], under, p,
+                sharp, low
+            );
+            l.p[i] = p;
         }
 
         double rate1 = Vy - low.slope*Vx;

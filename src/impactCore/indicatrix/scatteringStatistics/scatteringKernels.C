@@ -7,8 +7,6 @@
 #include "scatteringKernels.H"
 #include "elementary.H"
 
-#include <cstring>
-
 namespace impact
 {
 
@@ -56,17 +54,17 @@ impactKernel void sumAndSquares
     double& squares
 )
 {
-    const int lanes = 8;
-    typedef double row
-        __attribute__((vector_size(lanes*sizeof(double)), aligned(8)));
-    row s = {}, q = {};
+    // Eight sums, added in this order on every machine
+    constexpr int lanes = 8;
+    double s[lanes] = {}, q[lanes] = {};
     const int whole = n/lanes*lanes;
     for (int i = 0; i < whole; i += lanes)
     {
-        row v;
-        std::memcpy(&v, x + i, sizeof(v));
-        s += v;
-        q += v*v;
+        for (int k = 0; k < lanes; ++k)
+        {
+            s[k] += x[i + k];
+            q[k] += x[i + k]*x[i + k];
+        }
     }
     sum = squares = 0;
     for (int i = whole; i < n; ++i)

@@ -6,8 +6,6 @@
 
 #include "shadowKernels.H"
 
-#include <cstring>
-
 namespace impact
 {
 
@@ -65,16 +63,18 @@ impactKernel void shadowGaps
 
 impactKernel double smallest(int n, const double* x)
 {
-    const int lanes = 8;
-    typedef double row
-        __attribute__((vector_size(lanes*sizeof(double)), aligned(8)));
-    row least;
-    std::memcpy(&least, x, sizeof(least));
+    constexpr int lanes = 8;
+    double least[lanes];
+    for (int k = 0; k < lanes; ++k)
+    {
+        least[k] = x[k];
+    }
     for (int i = lanes; i < n; i += lanes)
     {
-        row v;
-        std::memcpy(&v, x + i, sizeof(v));
-        least = v < least ? v : least;
+        for (int k = 0; k < lanes; ++k)
+        {
+            least[k] = x[i + k] < least[k] ? x[i + k] : least[k];
+        }
     }
     double s = least[0];
     for (int k = 1; k < lanes; ++k)
