@@ -5,6 +5,7 @@
 #include "solidParticles.H"
 #include "coreVector.H"
 #include "lagrangianFile.H"
+#include "processorPolyPatch.H"
 #include "sizeGroups.H"
 #include "solidEntries.H"
 

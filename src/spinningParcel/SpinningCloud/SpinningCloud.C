@@ -7,7 +7,6 @@
 #include "HendersonDragForce.H"
 #include "MagnusForce.H"
 #include "NoDispersion.H"
-#include "foamCompat.H"
 #include "withheldOutput.H"
 
 #include <stdexcept>
@@ -471,9 +470,12 @@ void Foam::SpinningCloud<CloudType>::restoreState()
 
 
 template<class CloudType>
-void Foam::SpinningCloud<CloudType>::preEvolve()
+void Foam::SpinningCloud<CloudType>::preEvolve
+(
+    FOAM_COMPAT_EVOLVE_ARGS(parcelType)
+)
 {
-    CloudType::preEvolve();
+    CloudType::preEvolve(FOAM_COMPAT_EVOLVE_PASS);
     prepareMotion();
 }
 

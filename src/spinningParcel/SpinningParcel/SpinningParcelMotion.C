@@ -2,6 +2,7 @@
     parcelImpact. License: GPL-3.0-or-later, see COPYING.
 \*---------------------------------------------------------------------------*/
 
+#include "foamCompat.H"
 #include "meshTools.H"
 #include "spinningParcelForces.H"
 
@@ -474,10 +475,10 @@ bool Foam::SpinningParcel<ParcelType>::moveEmbedded
 
         if (p.active() && p.onFace())
         {
-            cloud.functions().postFace(p, ttd.keepParticle);
+            foamCompat::postFace(cloud.functions(), p, ttd);
         }
 
-        cloud.functions().postMove(p, t, start, ttd.keepParticle);
+        foamCompat::postMove(cloud.functions(), p, t, start, ttd);
 
         if (p.active() && p.onFace() && ttd.keepParticle)
         {

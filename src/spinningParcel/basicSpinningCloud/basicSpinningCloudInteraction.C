@@ -11,10 +11,12 @@ Description
 #include "makeParcelPatchInteractionModels.H"
 #include "makeParcelStochasticCollisionModels.H"
 #include "makeParcelSurfaceFilmModels.H"
+#include "noPackingModels.H"
 #include "parcelWallModels.H"
 
 makeParcelDispersionModels(basicSpinningCloud);
 makeParcelPatchInteractionModels(basicSpinningCloud);
 makeParcelStochasticCollisionModels(basicSpinningCloud);
 makeParcelSurfaceFilmModels(basicSpinningCloud);
+makeNoPackingModels(basicSpinningCloud);
 makeParcelWallModels(basicSpinningCloud);

@@ -551,8 +551,7 @@ bool Foam::EventDrivenCollisions<CloudType>::endRest(flight& f, mission& m)
             m.pull = mag(solved(p.U() - before))/pause;
         }
         p.age() += pause;
-        cloud_.functions().postMove
-            (p, pause, m.way, td_->keepParticle);
+        foamCompat::postMove(cloud_.functions(), p, pause, m.way, *td_);
         f.keep = f.keep && td_->keepParticle;
     }
     m.resting = false;

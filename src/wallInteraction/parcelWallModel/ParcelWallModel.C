@@ -10,7 +10,7 @@
 template<class CloudType>
 void Foam::ParcelWallReport<CloudType>::postEvolve
 (
-    FOAM_COMPAT_EVOLVE_ARGS(typename CloudType::parcelType)
+    FOAM_COMPAT_EVOLVE_ARGS(CloudType::parcelType)
 )
 {
     CloudType& cloud = this->owner();

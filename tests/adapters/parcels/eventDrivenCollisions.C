@@ -176,7 +176,7 @@ protected:
 
     void start(const scalar deltaT)
     {
-        time_.reset(new Time(Time::controlDictName, root_, "case"));
+        time_.reset(new Time(Time::controlDictName, root_, fileName("case")));
         time_->setDeltaT(deltaT);
         mesh_.reset
         (
