@@ -21,8 +21,15 @@ impact::plumeSource readSource
 {
     typedef impact::plumeSource source;
     nRecords = 0;
-    const word type(dict.get<word>("type"));
-    if (type == "file")
+    refuseOthers
+    (
+        dict,
+        {
+            "type", "exitRadius", "groups", "file", "groupEdges",
+            "axisymmetric", "smoothing"
+        }
+    );
+    if (getWordOf(dict, "type", "", {"analytic", "file"}) == "file")
     {
         return checked(dict, [&]
         {
@@ -31,42 +38,53 @@ impact::plumeSource readSource
                 impact::particleInterface::read(getFile(dict, "file", casePath))
             );
             nRecords = label(records.size());
-            const List<scalar> edges
+            const scalarList edges
             (
-                dict.getOrDefault<List<scalar>>("groupEdges", List<scalar>())
+                getList
+                (
+                    dict, "groupEdges", validRange::diameter, scalarList()
+                )
             );
             return source::interface
             (
                 records,
                 std::vector<double>(edges.begin(), edges.end()),
                 dict.getOrDefault<bool>("axisymmetric", false),
-                dict.getOrDefault<scalar>("smoothing", 0)
+                getNumber(dict, "smoothing", "[0, 1e8)", scalar(0))
             );
         });
     }
-    if (type != "analytic")
-    {
-        unknownWord(dict, "source type", type, {"analytic", "file"});
-    }
-
     std::vector<source::beam> beams;
     for (const dictionary& group : dict.get<List<dictionary>>("groups"))
     {
         source::beam b;
-        b.diameter = group.get<scalar>("diameter");
-        b.flux = group.get<scalar>("flux");
-        b.speed = group.get<scalar>("speed");
-        b.speedDeviation = group.getOrDefault<scalar>("speedDeviation", 0);
-        b.spread = group.get<scalar>("spread");
+        refuseOthers
+        (
+            group,
+            {
+                "diameter", "flux", "speed", "speedDeviation", "spread",
+                "distribution", "temperature"
+            }
+        );
+        b.diameter = getNumber(group, "diameter", validRange::diameter);
+        b.flux = getNumber(group, "flux", "(0, 1e30) 1/s");
+        b.speed = getNumber(group, "speed", validRange::speed);
+        b.speedDeviation =
+            getNumber(group, "speedDeviation", "[0, 3e8) m/s", scalar(0));
+        b.spread = getNumber(group, "spread", "[0, 180] deg");
         b.distribution =
             getWord(group, "distribution", {"cone", "gaussian"}) == "cone"
           ? source::angleLaw::cone : source::angleLaw::gaussian;
-        b.temperature = group.get<scalar>("temperature");
+        b.temperature =
+            getNumber(group, "temperature", validRange::temperature);
         beams.push_back(b);
     }
     return checked(dict, [&]
     {
-        return source::analytic(dict.get<scalar>("exitRadius"), beams);
+        return source::analytic
+        (
+            getNumber(dict, "exitRadius", "[0, 1e6) m"), beams
+        );
     });
 }
 
@@ -75,14 +93,20 @@ impact::radiativeCooling readMaterial(const dictionary& dict)
 {
     const dictionary& material = dict.subDict("material");
     impact::radiativeCooling::setup s;
-    s.density = material.get<scalar>("density");
+    refuseOthers
+    (
+        material, {"density", "heatCapacity", "absorptivity", "emissivity"}
+    );
+    s.density = getNumber(material, "density", validRange::density);
     s.heatCapacity.clear();
+    const char* const capacityRange = "(0, 1e9) J/(kg K)";
     ITstream& is = material.lookup("heatCapacity");
-    const token first(is);
-    is.rewind();
-    if (first.isNumber())
+    if (is.size() && is[0].isNumber())
     {
-        s.heatCapacity.push_back({0, material.get<scalar>("heatCapacity")});
+        s.heatCapacity.push_back
+        (
+            {0, getNumber(material, "heatCapacity", capacityRange)}
+        );
     }
     else
     {
@@ -92,17 +116,23 @@ impact::radiativeCooling readMaterial(const dictionary& dict)
         );
         for (const Tuple2<scalar, scalar>& p : pairs)
         {
+            checkNumber
+            (
+                material, "heatCapacity", p.first(), "[0, 1e8) K"
+            );
+            checkNumber(material, "heatCapacity", p.second(), capacityRange);
             s.heatCapacity.push_back({p.first(), p.second()});
         }
     }
-    s.absorptivity = material.get<scalar>("absorptivity");
-    s.emissivity = material.get<scalar>("emissivity");
-    s.sunlight = dict.getOrDefault<scalar>("sunlight", 1368);
-    if (dict.found("planet"))
+    const char* const lightRange = "[0, 1e12) W/m2";
+    s.absorptivity = getNumber(material, "absorptivity", validRange::share);
+    s.emissivity = getNumber(material, "emissivity", validRange::share);
+    s.sunlight = getNumber(dict, "sunlight", lightRange, scalar(1368));
+    if (const dictionary* planet = findBlock(dict, "planet"))
     {
-        const dictionary& planet = dict.subDict("planet");
-        s.reflected = planet.getOrDefault<scalar>("reflected", 0);
-        s.infrared = planet.getOrDefault<scalar>("infrared", 0);
+        refuseOthers(*planet, {"reflected", "infrared"});
+        s.reflected = getNumber(*planet, "reflected", lightRange, scalar(0));
+        s.infrared = getNumber(*planet, "infrared", lightRange, scalar(0));
     }
     return checked(material, [&] { return impact::radiativeCooling(s); });
 }
@@ -118,9 +148,9 @@ impact::plumeGrid::range readRange
 {
     return
     {
-        dict.get<scalar>(from),
-        dict.get<scalar>(to),
-        int(getWhole(dict, n, dict.get<scalar>(n), 1, 1e6))
+        getNumber(dict, from, validRange::coordinate),
+        getNumber(dict, to, validRange::coordinate),
+        int(getWhole(dict, n, "[1, 1e6]"))
     };
 }
 
@@ -132,6 +162,23 @@ impact::plumeGrid readGrid(const dictionary& dict)
     (
         getWord(dict, "type", {"axis", "plane", "meridian", "sphere"})
     );
+    refuseOthers
+    (
+        dict,
+        type == "axis" ? wordList{"type", "from", "to", "n", "radius"}
+      : type == "sphere"
+      ? wordList
+        {
+            "type", "centre", "from", "to", "n", "nPolar", "nAzimuth"
+        }
+      : type == "plane"
+      ? wordList
+        {
+            "type", "xFrom", "xTo", "nx", "yFrom", "yTo", "ny", "position",
+            "thickness"
+        }
+      : wordList{"type", "xFrom", "xTo", "nx", "rFrom", "rTo", "nr"}
+    );
     return checked(dict, [&]
     {
         if (type == "axis")
@@ -139,18 +186,23 @@ impact::plumeGrid readGrid(const dictionary& dict)
             return grid::axis
             (
                 readRange(dict, "from", "to", "n"),
-                dict.get<scalar>("radius")
+                getNumber(dict, "radius", validRange::length)
             );
         }
         if (type == "sphere")
         {
             return grid::sphere
             (
-                dict.found("centre")
-              ? getVector(dict, "centre") : impact::vector3{0, 0, 0},
+                toCore
+                (
+                    getComponents
+                    (
+                        dict, "centre", validRange::coordinate, vector(Zero)
+                    )
+                ),
                 readRange(dict, "from", "to", "n"),
-                dict.getOrDefault<label>("nPolar", 1),
-                dict.getOrDefault<label>("nAzimuth", 1)
+                getNumber<label>(dict, "nPolar", "[1, 1e4]", 1),
+                getNumber<label>(dict, "nAzimuth", "[1, 1e4]", 1)
             );
         }
         const grid::range x(readRange(dict, "xFrom", "xTo", "nx"));
@@ -159,8 +211,11 @@ impact::plumeGrid readGrid(const dictionary& dict)
             return grid::plane
             (
                 x, readRange(dict, "yFrom", "yTo", "ny"),
-                dict.getOrDefault<scalar>("position", 0),
-                dict.get<scalar>("thickness")
+                getNumber
+                (
+                    dict, "position", validRange::coordinate, scalar(0)
+                ),
+                getNumber(dict, "thickness", validRange::length)
             );
         }
         return grid::meridian(x, readRange(dict, "rFrom", "rTo", "nr"));
@@ -176,34 +231,61 @@ Foam::plumeSetup::plumeSetup
     const fileName& casePath
 )
 :
-    times(getNumbers(dict, "times")),
+    times(getNumbers(dict, "times", "(-1e12, 1e12) s")),
     targetError(getTargetError(dict)),
     nRecords(0)
 {
     typedef impact::plumeSampler core;
 
+    refuseOthers
+    (
+        dict,
+        {
+            "source", "material", "sunlight", "planet", "times", "burn",
+            "nozzle", "gravity", "temperature", "deltaT", "grids", "stations",
+            "stationHalfWidth", "nParticles", "seed", "targetError"
+        }
+    );
     sampler.source = std::make_shared<const impact::plumeSource>
         (readSource(dict.subDict("source"), casePath, nRecords));
     sampler.cooling = std::make_shared<const impact::radiativeCooling>
         (readMaterial(dict));
 
     const dictionary& burn = dict.subDict("burn");
-    sampler.burnStart = burn.get<scalar>("start");
-    sampler.burnEnd = burn.get<scalar>("end");
+    refuseOthers(burn, {"start", "end"});
+    sampler.burnStart = getNumber(burn, "start", "(-1e12, 1e12) s");
+    sampler.burnEnd = getNumber(burn, "end", "(-1e12, 1e12) s");
 
-    if (dict.found("nozzle"))
+    if (const dictionary* found = findBlock(dict, "nozzle"))
     {
-        const dictionary& nozzle = dict.subDict("nozzle");
+        const dictionary& nozzle = *found;
+        refuseOthers
+        (
+            nozzle,
+            {"motion", "position", "velocity", "acceleration", "frame"}
+        );
         sampler.motion =
             getWord(nozzle, "motion", {"uniform", "orbit"}) == "uniform"
           ? core::nozzleMotion::uniform : core::nozzleMotion::orbit;
         const vector zero(Zero);
         sampler.position =
-            toCore(nozzle.getOrDefault<vector>("position", zero));
+            toCore
+            (
+                getComponents(nozzle, "position", validRange::coordinate, zero)
+            );
         sampler.velocity =
-            toCore(nozzle.getOrDefault<vector>("velocity", zero));
+            toCore
+            (
+                getComponents(nozzle, "velocity", validRange::velocity, zero)
+            );
         sampler.acceleration =
-            toCore(nozzle.getOrDefault<vector>("acceleration", zero));
+            toCore
+            (
+                getComponents
+                (
+                    nozzle, "acceleration", validRange::acceleration, zero
+                )
+            );
         sampler.frame =
             getWord(nozzle, "frame", {"inertial", "nozzle"}) == "inertial"
           ? core::frameType::inertial : core::frameType::nozzle;
@@ -213,13 +295,15 @@ Foam::plumeSetup::plumeSetup
     if (dict.isDict("gravity"))
     {
         const dictionary& gravity = dict.subDict("gravity");
+        refuseOthers(gravity, {"type", "mu", "centre"});
         getWord(gravity, "type", {"twoBody"});
         sampler.gravity = checked(gravity, [&]
         {
             return std::make_shared<const impact::keplerOrbit>
-                (gravity.get<scalar>("mu"));
+                (getNumber(gravity, "mu", "(0, 1e30) m3/s2"));
         });
-        sampler.gravityCentre = getVector(gravity, "centre");
+        sampler.gravityCentre =
+            toCore(getComponents(gravity, "centre", validRange::coordinate));
     }
     else
     {
@@ -231,7 +315,7 @@ Foam::plumeSetup::plumeSetup
       ? core::temperatureMethod::exact : core::temperatureMethod::euler;
     if (sampler.temperature == core::temperatureMethod::euler)
     {
-        sampler.deltaT = dict.get<scalar>("deltaT");
+        sampler.deltaT = getNumber(dict, "deltaT", validRange::duration);
     }
 
     const dictionary& grids = dict.subDict("grids");
@@ -240,18 +324,16 @@ Foam::plumeSetup::plumeSetup
         sampler.grids.push_back(readGrid(grids.subDict(name)));
         gridNames.append(name);
     }
-    const List<scalar> stations
+    const scalarList stations
     (
-        dict.getOrDefault<List<scalar>>("stations", List<scalar>())
+        getList(dict, "stations", validRange::coordinate, scalarList())
     );
     sampler.stations.assign(stations.begin(), stations.end());
     sampler.stationHalfWidth =
-        dict.getOrDefault<scalar>("stationHalfWidth", 1000);
+        getNumber(dict, "stationHalfWidth", validRange::length, scalar(1000));
 
-    sampler.nParticles = getWhole
-        (dict, "nParticles", dict.get<scalar>("nParticles"), 1, 1e13);
-    sampler.seed = uint64_t(getWhole
-        (dict, "seed", dict.getOrDefault<scalar>("seed", 1), 0, 9e15));
+    sampler.nParticles = getWhole(dict, "nParticles", "[1, 1e13]");
+    sampler.seed = uint64_t(getWhole(dict, "seed", "[0, 9e15]", 1));
 
     for (const scalar time : times)
     {

@@ -5,14 +5,20 @@
 #include "jkrImpactSetup.H"
 #include "checked.H"
 
-#include "FlatOutput.H"
-#include "ListOps.H"
-#include "Switch.H"
-
 namespace
 {
 
 using namespace Foam;
+
+//- Entries beside those of the contact
+const wordList ours
+{
+    "contact", "alpha", "speeds", "scheme", "unloading", "tolerance",
+    "timeStep", "interpolate", "trajectories", "nLoops", "chain"
+};
+
+const char* const speedRange = "[1e-12, 3e8) m/s, less than light";
+
 
 impact::impactSettings readSettings(const dictionary& dict)
 {
@@ -28,10 +34,14 @@ impact::impactSettings readSettings(const dictionary& dict)
       : name == "table" ? scheme::table
       : scheme::adaptive;
     settings.unloading = adhesionEntries::unloading(dict);
-    settings.tolerance =
-        dict.getOrDefault<scalar>("tolerance", settings.tolerance);
-    settings.timeStep =
-        dict.getOrDefault<scalar>("timeStep", settings.timeStep);
+    settings.tolerance = getNumber
+    (
+        dict, "tolerance", "[1e-14, 1e-3]", scalar(settings.tolerance)
+    );
+    settings.timeStep = getNumber
+    (
+        dict, "timeStep", "[1e-30, 1e12] s", scalar(settings.timeStep)
+    );
     settings.interpolate =
         dict.getOrDefault<Switch>("interpolate", settings.interpolate);
     return settings;
@@ -44,22 +54,15 @@ List<scalar> readSpeeds(const dictionary& dict)
     if (dict.isDict("speeds"))
     {
         const dictionary& range = dict.subDict("speeds");
-        const scalar low = range.get<scalar>("min");
-        const scalar high = range.get<scalar>("max");
-        const label n = range.get<label>("n");
+        refuseOthers(range, {"min", "max", "n", "spacing"});
+        const scalar low = getNumber(range, "min", speedRange);
+        const scalar high = getNumber(range, "max", speedRange);
+        const label n = getNumber<label>(range, "n", "[2, 100000]");
         const bool logarithmic =
             getWordOf(range, "spacing", "log", {"log", "linear"}) == "log";
-        if (!(low > 0 && high > low))
+        if (!(high > low))
         {
-            FatalIOErrorInFunction(range)
-                << "min " << low << ", max " << high
-                << ": valid range 0 < min < max" << exit(FatalIOError);
-        }
-        if (n < 2 || n > 100000)
-        {
-            FatalIOErrorInFunction(range)
-                << "n " << n << ": valid range 2 to 100000"
-                << exit(FatalIOError);
+            refuse(range, "max", high, "greater than min, ", low);
         }
         speeds.setSize(n);
         forAll(speeds, i)
@@ -76,26 +79,13 @@ List<scalar> readSpeeds(const dictionary& dict)
         ITstream& is = dict.lookup("speeds");
         if (is.size() && is[0].isNumber())
         {
-            FatalIOErrorInFunction(dict)
-                << "speeds " << is[0]
-                << ": valid forms: (1 2 5), or { min 1; max 5; n 10; }"
-                << exit(FatalIOError);
+            refuse
+            (
+                dict, "speeds", is[0].number(),
+                "(1 2 5), or { min 1; max 5; n 10; }"
+            );
         }
-        speeds = dict.get<List<scalar>>("speeds");
-        if (speeds.empty())
-        {
-            FatalIOErrorInFunction(dict)
-                << "speeds: the list is empty" << exit(FatalIOError);
-        }
-    }
-    forAll(speeds, i)
-    {
-        if (!(speeds[i] > 0 && std::isfinite(speeds[i])))
-        {
-            FatalIOErrorInFunction(dict)
-                << "speeds " << speeds[i] << ": valid range (0, inf) m/s"
-                << exit(FatalIOError);
-        }
+        speeds = getNumbers(dict, "speeds", speedRange);
     }
     return speeds;
 }
@@ -110,12 +100,12 @@ scalar readChainAlpha
 {
     if (dict.found("alpha"))
     {
-        return dict.get<scalar>("alpha");
+        return getNumber(dict, "alpha", "[0, 10]");
     }
     if (!law.isConstant())
     {
         FatalIOErrorInFunction(dict)
-            << "entry alpha is needed: the one outside chain is not constant"
+            << "Entry alpha is needed: the one outside chain is not constant"
             << exit(FatalIOError);
     }
     return law.coeffs()[0];
@@ -132,10 +122,9 @@ Foam::jkrImpactSetup::jkrImpactSetup
 :
     contact
     (
-        adhesionEntries::contact
-        (
-            dict.isDict("contact") ? dict.subDict("contact") : dict
-        )
+        dict.found("contact")
+      ? adhesionEntries::contact(dict.subDict("contact"))
+      : adhesionEntries::contact(dict, ours)
     ),
     settings(readSettings(dict)),
     measured(),
@@ -154,23 +143,22 @@ Foam::jkrImpactSetup::jkrImpactSetup
     ),
     speeds(readSpeeds(dict))
 {
+    if (dict.found("contact"))
+    {
+        refuseOthers(dict, ours);
+    }
     trajectories =
         dict.getOrDefault<Switch>("trajectories", !dict.isDict("speeds"));
-    nLoops = dict.getOrDefault<label>("nLoops", 20);
-    if (nLoops < 1 || nLoops > 10000)
-    {
-        FatalIOErrorInFunction(dict)
-            << "nLoops " << nLoops << ": valid range 1 to 10000"
-            << exit(FatalIOError);
-    }
+    nLoops = getNumber<label>(dict, "nLoops", "[1, 10000]", 20);
 
     // alpha(e) is of the impact with adhesion: without, it is not solvable
     if (!law.isConstant() && !(contact.separationSpeed() > 0))
     {
-        FatalIOErrorInFunction(dict)
-            << "workOfAdhesion " << contact.workOfAdhesion()
-            << ": valid range with an alpha that depends on e (0, inf)"
-            << exit(FatalIOError);
+        refuse
+        (
+            dict, "workOfAdhesion", contact.workOfAdhesion(),
+            "with an alpha that depends on e (0, inf)"
+        );
     }
 
     // Settings and speeds that no impact can be made with end here, not in
@@ -191,14 +179,13 @@ Foam::jkrImpactSetup::jkrImpactSetup
         return true;
     });
 
-    if (dict.found("chain"))
+    if (const dictionary* found = findBlock(dict, "chain"))
     {
-        const dictionary& block = dict.subDict("chain");
+        const dictionary& block = *found;
+        refuseOthers(block, {"particle", "wall", "coupling", "speeds"});
         if (settings.unloading != impact::unloadingType::soft)
         {
-            FatalIOErrorInFunction(dict)
-                << "unloading hard: valid with a chain: soft"
-                << exit(FatalIOError);
+            refuse(dict, "unloading", "hard", "with a chain: soft");
         }
         const dictionary& first = block.subDict("particle");
         const dictionary& second = block.subDict("wall");
@@ -208,9 +195,9 @@ Foam::jkrImpactSetup::jkrImpactSetup
         {
             return impact::contactChain
             (
-                adhesionEntries::contact(first),
+                adhesionEntries::contact(first, {"alpha"}),
                 readChainAlpha(first, law),
-                adhesionEntries::contact(second),
+                adhesionEntries::contact(second, {"alpha"}),
                 readChainAlpha(second, law),
                 oneWay
               ? impact::chainCoupling::oneWay

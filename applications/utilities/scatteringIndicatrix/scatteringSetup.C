@@ -13,41 +13,12 @@ namespace
 
 using namespace Foam;
 
-List<scalar> readIncidences(const dictionary& dict)
+const wordList ours
 {
-    const List<scalar> angles(getNumbers(dict, "incidence"));
-    forAll(angles, i)
-    {
-        if (!(angles[i] > 0 && angles[i] <= 90))
-        {
-            FatalIOErrorInFunction(dict)
-                << "incidence " << angles[i]
-                << ": valid range (0, 90] (degrees)" << exit(FatalIOError);
-        }
-    }
-    return angles;
-}
-
-
-//- An entry that nothing reads may be one that macros refer to: no error
-void warnOfOthers(const dictionary& dict)
-{
-    const wordList known
-    ({
-        "FoamFile", "shape", "wall", "law", "incidence", "speed", "spin",
-        "orientation", "nParticles", "seed", "binWidth", "targetError",
-        "maxImpacts", "tableSamples"
-    });
-    for (const word& entry : dict.toc())
-    {
-        if (!known.found(entry) && !dict.isDict(entry))
-        {
-            IOWarningInFunction(dict)
-                << "entry " << entry << " is not used. Known entries: "
-                << flatOutput(known) << endl;
-        }
-    }
-}
+    "shape", "wall", "law", "incidence", "speed", "spin", "orientation",
+    "nParticles", "seed", "binWidth", "targetError", "maxImpacts",
+    "tableSamples"
+};
 
 } // End anonymous namespace
 
@@ -58,31 +29,22 @@ Foam::scatteringSetup::scatteringSetup
     const fileName& casePath
 )
 :
-    incidences(readIncidences(dict))
+    incidences(getNumbers(dict, "incidence", "[1e-6, 90] deg"))
 {
-    warnOfOthers(dict);
+    refuseOthers(dict, ours);
     scatteringEntries::read(dict, casePath, sampler);
     sampler.incidence = incidences[0];
-    sampler.speed = dict.get<scalar>("speed");
-    sampler.spin = {0, 0, 0};
-    if (dict.found("spin"))
-    {
-        sampler.spin = getVector(dict, "spin");
-    }
+    sampler.speed = getNumber(dict, "speed", "[1e-6, 3e8) m/s, below light");
+    sampler.spin =
+        toCore(getComponents(dict, "spin", validRange::spin, vector(Zero)));
 
-    nParticles =
-        getWhole(dict, "nParticles", dict.get<scalar>("nParticles"), 1, 1e15);
+    nParticles = getWhole(dict, "nParticles", "[1, 1e15]");
     sampler.seed = scatteringEntries::getSeed(dict);
-    sampler.binWidth = dict.getOrDefault<scalar>("binWidth", 1);
+    sampler.binWidth =
+        getNumber(dict, "binWidth", "[0.1, 90] deg", scalar(1));
 
     targetError = getTargetError(dict);
-    tableSamples = dict.getOrDefault<label>("tableSamples", 1024);
-    if (tableSamples < 1)
-    {
-        FatalIOErrorInFunction(dict)
-            << "tableSamples " << tableSamples << ": valid range >= 1"
-            << exit(FatalIOError);
-    }
+    tableSamples = getNumber<label>(dict, "tableSamples", "[1, 1e7]", 1024);
 
     checked(dict, [&]
     {

@@ -21,20 +21,43 @@ namespace
 
 using namespace Foam;
 
+const char* const alphaRange = "[0, 10]";
+
+//- Entries of a contact, of their own or among others
+const wordList contactEntries
+{
+    "radius", "modulus", "mass", "particle", "wall", "partner",
+    "workOfAdhesion"
+};
+
+
 impact::elasticSolid readSolid(const dictionary& dict)
 {
-    return {dict.get<scalar>("E"), dict.get<scalar>("nu")};
+    return
+    {
+        getNumber(dict, "E", validRange::modulus),
+        getNumber(dict, "nu", "(-1, 0.5)")
+    };
 }
 
 
 impact::elasticSphere readSphere(const dictionary& dict)
 {
+    refuseOthers(dict, {"diameter", "density", "E", "nu"});
     return
     {
-        dict.get<scalar>("diameter"),
-        dict.get<scalar>("density"),
+        getNumber(dict, "diameter", validRange::diameter),
+        getNumber(dict, "density", validRange::density),
         readSolid(dict)
     };
+}
+
+
+impact::elasticSolid readWallSolid(const dictionary& dict)
+{
+    const dictionary& wall = dict.subDict("wall");
+    refuseOthers(wall, {"E", "nu"});
+    return readSolid(wall);
 }
 
 
@@ -50,8 +73,7 @@ std::vector<measuredImpact> readMeasured
     std::ifstream is(file);
     if (!is)
     {
-        FatalIOErrorInFunction(dict)
-            << "file " << file << " cannot be read" << exit(FatalIOError);
+        refuse(dict, "file", file, "a file that can be read");
     }
     std::vector<measuredImpact> data;
     bool namesMayFollow = true;
@@ -81,14 +103,14 @@ std::vector<measuredImpact> readMeasured
         if
         (
             !(columns >> m.speed >> m.restitution)
-         || !(m.speed > 0 && std::isfinite(m.speed))
+         || !within(m.speed, validRange::speed)
          || !(m.restitution > 0 && m.restitution < 1)
         )
         {
             FatalIOErrorInFunction(dict)
-                << "file " << file << ", line " << number << ", '"
-                << line.c_str()
-                << "': valid lines: V in (0, inf) m/s and e in (0, 1)"
+                << "Entry file " << file << ", line " << number << ", '"
+                << line.c_str() << "': valid range V in "
+                << validRange::speed << " and e in (0, 1)"
                 << exit(FatalIOError);
         }
         data.push_back(m);
@@ -102,26 +124,20 @@ impact::adhesiveRebound::materials readMaterials(const dictionary& dict)
 {
     if (dict.isDict("contact"))
     {
+        // Radius and mass are those of the parcel
         const dictionary& contact = dict.subDict("contact");
-        for (const char* entry : {"radius", "mass"})
-        {
-            if (contact.found(entry))
-            {
-                FatalIOErrorInFunction(contact)
-                    << "Entry " << entry << ": radius and mass are those of"
-                    << " the parcel at a wall; valid entries: modulus,"
-                    << " workOfAdhesion" << exit(FatalIOError);
-            }
-        }
+        refuseOthers(contact, {"modulus", "workOfAdhesion"});
         return
         {
-            contact.get<scalar>("modulus"),
-            contact.get<scalar>("workOfAdhesion")
+            getNumber(contact, "modulus", validRange::modulus),
+            getNumber(contact, "workOfAdhesion", validRange::adhesion)
         };
     }
-    const scalar w = dict.get<scalar>("workOfAdhesion");
-    const impact::elasticSolid particle(readSolid(dict.subDict("particle")));
-    const impact::elasticSolid wall(readSolid(dict.subDict("wall")));
+    const scalar w = getNumber(dict, "workOfAdhesion", validRange::adhesion);
+    const dictionary& ofParticle = dict.subDict("particle");
+    refuseOthers(ofParticle, {"E", "nu"});
+    const impact::elasticSolid particle(readSolid(ofParticle));
+    const impact::elasticSolid wall(readWallSolid(dict));
     return checked(dict, [&]()
     {
         // The modulus does not depend on the size
@@ -139,7 +155,7 @@ scalar particleModulus(const dictionary& dict, const dictionary& layer)
 {
     if (layer.found("modulus") || !dict.isDict("particle"))
     {
-        return layer.get<scalar>("modulus");
+        return getNumber(layer, "modulus", validRange::modulus);
     }
     const impact::elasticSolid solid(readSolid(dict.subDict("particle")));
     return checked(dict, [&]()
@@ -160,25 +176,41 @@ scalar layerAlpha
 {
     return
         law.isConstant()
-      ? layer.getOrDefault<scalar>(entry, law.coeffs()[0])
-      : layer.get<scalar>(entry);
+      ? getNumber(layer, entry, alphaRange, law.coeffs()[0])
+      : getNumber(layer, entry, alphaRange);
 }
 
 } // End anonymous namespace
 
 
-impact::jkrContact Foam::adhesionEntries::contact(const dictionary& dict)
+impact::jkrContact Foam::adhesionEntries::contact
+(
+    const dictionary& dict,
+    const wordList& others
+)
 {
+    wordList valid(contactEntries);
+    valid.append(others);
+    refuseOthers(dict, valid);
+
+    // Of two ways to say it, only one
+    if (dict.found("radius"))
+    {
+        valid = wordList({"radius", "modulus", "mass", "workOfAdhesion"});
+        valid.append(others);
+        refuseOthers(dict, valid);
+    }
     return checked(dict, [&]()
     {
-        const scalar w = dict.get<scalar>("workOfAdhesion");
+        const scalar w =
+            getNumber(dict, "workOfAdhesion", validRange::adhesion);
         if (dict.found("radius"))
         {
             return impact::jkrContact
             (
-                dict.get<scalar>("radius"),
-                dict.get<scalar>("modulus"),
-                dict.get<scalar>("mass"),
+                getNumber(dict, "radius", validRange::diameter),
+                getNumber(dict, "modulus", validRange::modulus),
+                getNumber(dict, "mass", "[1e-30, 1e12] kg, of a particle"),
                 w
             );
         }
@@ -191,7 +223,7 @@ impact::jkrContact Foam::adhesionEntries::contact(const dictionary& dict)
             )
           : impact::jkrContact::onWall
             (
-                particle, readSolid(dict.subDict("wall")), w
+                particle, readWallSolid(dict), w
             );
     });
 }
@@ -222,7 +254,10 @@ impact::dissipationLaw Foam::adhesionEntries::law
     {
         return checked(dict, [&]()
         {
-            return form::constant(dict.get<scalar>("alpha"), unloading);
+            return form::constant
+            (
+                getNumber(dict, "alpha", alphaRange), unloading
+            );
         });
     }
     const dictionary& alpha = dict.subDict("alpha");
@@ -234,11 +269,26 @@ impact::dissipationLaw Foam::adhesionEntries::law
             {"constant", "marshall", "polynomial", "calibrated"}
         )
     );
+    refuseOthers
+    (
+        alpha,
+        type == "constant" ? wordList{"type", "value"}
+      : type == "marshall" ? wordList{"type", "restitution"}
+      : type == "polynomial"
+      ? wordList{"type", "coeffs", "range", "restitution"}
+      : wordList
+        {
+            "type", "file", "degree", "extrapolate", "diameter", "density"
+        }
+    );
     return checked(alpha, [&]()
     {
         if (type == "constant")
         {
-            return form::constant(alpha.get<scalar>("value"), unloading);
+            return form::constant
+            (
+                getNumber(alpha, "value", alphaRange), unloading
+            );
         }
         if (type == "marshall")
         {
@@ -248,23 +298,24 @@ impact::dissipationLaw Foam::adhesionEntries::law
             }
             return form::constant
             (
-                form::marshall().alpha(alpha.get<scalar>("restitution")),
+                form::marshall().alpha(getNumber(alpha, "restitution", validRange::share)),
                 unloading
             );
         }
         if (type == "polynomial")
         {
-            const List<scalar> coeffs(alpha.get<List<scalar>>("coeffs"));
-            const List<scalar> range
+            const scalarList coeffs(getList(alpha, "coeffs", "[-1e6, 1e6]"));
+            const scalarList range
             (
-                alpha.getOrDefault<List<scalar>>("range", {0, 1})
+                getList(alpha, "range", validRange::share, {0, 1})
             );
             if (range.size() != 2)
             {
-                FatalIOErrorInFunction(alpha)
-                    << "range " << flatOutput(range)
-                    << ": valid (low high), 0 <= low < high <= 1"
-                    << exit(FatalIOError);
+                refuse
+                (
+                    alpha, "range", flatOutput(range),
+                    "(low high), 0 <= low < high <= 1"
+                );
             }
             const form polynomial = form::polynomial
             (
@@ -276,7 +327,7 @@ impact::dissipationLaw Foam::adhesionEntries::law
             return alpha.found("restitution")
               ? form::constant
                 (
-                    polynomial.alpha(alpha.get<scalar>("restitution")),
+                    polynomial.alpha(getNumber(alpha, "restitution", validRange::share)),
                     unloading
                 )
               : polynomial;
@@ -284,10 +335,11 @@ impact::dissipationLaw Foam::adhesionEntries::law
         const scalar v = contact.separationSpeed();
         if (!(v > 0))
         {
-            FatalIOErrorInFunction(dict)
-                << "workOfAdhesion " << contact.workOfAdhesion()
-                << ": valid range with alpha calibrated (0, inf)"
-                << exit(FatalIOError);
+            refuse
+            (
+                dict, "workOfAdhesion", contact.workOfAdhesion(),
+                "with alpha calibrated (0, inf)"
+            );
         }
         measured = readMeasured(alpha, casePath);
         std::vector<form::measurement> data;
@@ -298,7 +350,7 @@ impact::dissipationLaw Foam::adhesionEntries::law
         return form::fit
         (
             data,
-            alpha.getOrDefault<label>("degree", 3),
+            getNumber<label>(alpha, "degree", "[0, 20]", 3),
             alpha.getOrDefault<Switch>("extrapolate", false),
             unloading
         );
@@ -313,6 +365,14 @@ impact::adhesiveRebound Foam::adhesionEntries::wall
 )
 {
     typedef impact::adhesiveRebound wall;
+    refuseOthers
+    (
+        dict,
+        {
+            "type", "contact", "particle", "wall", "workOfAdhesion", "alpha",
+            "unloading", "outside", "friction", "layer"
+        }
+    );
     const wall::materials materials(readMaterials(dict));
 
     // Of the particles that alpha was measured with, if it was
@@ -327,7 +387,9 @@ impact::adhesiveRebound Foam::adhesionEntries::wall
         const dictionary& alpha = dict.subDict("alpha");
         const impact::elasticSphere sphere =
         {
-            alpha.get<scalar>("diameter"), alpha.get<scalar>("density"), {1, 0}
+            getNumber(alpha, "diameter", validRange::diameter),
+            getNumber(alpha, "density", validRange::density),
+            {1, 0}
         };
         measured = checked(alpha, [&]()
         {
@@ -355,7 +417,7 @@ impact::adhesiveRebound Foam::adhesionEntries::wall
     );
     const bool hold =
         getWordOf(dict, "outside", "refuse", {"refuse", "hold"}) == "hold";
-    const scalar friction = dict.get<scalar>("friction");
+    const scalar friction = getNumber(dict, "friction", validRange::friction);
     wall result = checked(dict, [&]()
     {
         return wall
@@ -367,17 +429,20 @@ impact::adhesiveRebound Foam::adhesionEntries::wall
     if (dict.found("layer"))
     {
         const dictionary& layer = dict.subDict("layer");
+        refuseOthers
+        (
+            layer,
+            {"modulus", "workOfAdhesion", "alpha", "wallAlpha", "coupling"}
+        );
         if (end != impact::unloadingType::soft)
         {
-            FatalIOErrorInFunction(dict)
-                << "unloading hard: valid with a layer: soft"
-                << exit(FatalIOError);
+            refuse(dict, "unloading", "hard", "with a layer: soft");
         }
         const wall::layerSettings settings =
         {
             {
                 particleModulus(dict, layer),
-                layer.get<scalar>("workOfAdhesion")
+                getNumber(layer, "workOfAdhesion", validRange::adhesion)
             },
             layerAlpha(layer, "alpha", alpha),
             layerAlpha(layer, "wallAlpha", alpha),

@@ -4,13 +4,17 @@
 
 #include "reboundEntries.H"
 #include "checked.H"
-#include "Tuple2.H"
-#include "scalarList.H"
 
 namespace
 {
 
 using namespace Foam;
+
+// Restitution and angles; coefficients of powers
+const char* const coefficientRange = "[-1e6, 1e6]";
+
+const char* const speedRange = "[0, 3e8) m/s, less than light";
+
 
 std::vector<double> numbers(const scalarList& list)
 {
@@ -33,10 +37,18 @@ List<scalarList> readRows(const dictionary& dict, const word& entry)
     }
     if (depth == 2)
     {
-        return dict.get<List<scalarList>>(entry);
+        const List<scalarList> rows(dict.get<List<scalarList>>(entry));
+        for (const scalarList& row : rows)
+        {
+            for (const scalar value : row)
+            {
+                checkNumber(dict, entry, value, coefficientRange);
+            }
+        }
+        return rows;
     }
     List<scalarList> rows;
-    for (const scalar value : dict.get<scalarList>(entry))
+    for (const scalar value : getList(dict, entry, coefficientRange))
     {
         rows.append(scalarList(1, value));
     }
@@ -58,7 +70,7 @@ impact::reboundCoefficient readCoefficient
         const token first(dict.lookup(entry));
         if (first.isNumber())
         {
-            const scalar value = dict.get<scalar>(entry);
+            const scalar value = getNumber(dict, entry, coefficientRange);
             return checked
             (
                 dict, [&] { return form::constant(quantity, value); }
@@ -82,6 +94,13 @@ impact::reboundCoefficient readCoefficient
     (
         getWordOf(coeffs, "type", "", {"table", "polynomial"})
     );
+    refuseOthers
+    (
+        coeffs,
+        type == "table"
+      ? wordList{"type", "angles", "speeds", "values"}
+      : wordList{"type", "coefficients", "angleRange", "speedRange"}
+    );
     if (type == "table")
     {
         std::vector<double> values;
@@ -89,10 +108,10 @@ impact::reboundCoefficient readCoefficient
         {
             values.insert(values.end(), row.begin(), row.end());
         }
-        const scalarList angles(coeffs.get<scalarList>("angles"));
+        const scalarList angles(getList(coeffs, "angles", "[0, 90] deg"));
         const scalarList speeds
         (
-            coeffs.getOrDefault<scalarList>("speeds", scalarList(1, Zero))
+            getList(coeffs, "speeds", speedRange, scalarList(1, Zero))
         );
         return checked
         (
@@ -118,6 +137,14 @@ impact::reboundCoefficient readCoefficient
     if (!coefficients.empty() && coefficients[0].size() > 1)
     {
         coeffs.readEntry("speedRange", speeds);
+    }
+    for (const scalar angle : {angles.first(), angles.second()})
+    {
+        checkNumber(coeffs, "angleRange", angle, "[0, 90] deg");
+    }
+    for (const scalar speed : {speeds.first(), speeds.second()})
+    {
+        checkNumber(coeffs, "speedRange", speed, speedRange);
     }
     return checked
     (
@@ -150,8 +177,20 @@ impact::hardSphereWall Foam::reboundEntries::hardSphere
             {"constant", "McNamaraFalcon"}
         )
     );
-    const scalar restitution = dict.get<scalar>("restitution");
-    const scalar friction = dict.get<scalar>("friction");
+    refuseOthers
+    (
+        dict,
+        model == "constant"
+      ? wordList{"type", "restitutionModel", "restitution", "friction"}
+      : wordList
+        {
+            "type", "restitutionModel", "restitution", "friction",
+            "restitutionSpeed"
+        }
+    );
+    const scalar restitution =
+        getNumber(dict, "restitution", validRange::share);
+    const scalar friction = getNumber(dict, "friction", validRange::friction);
     if (model == "constant")
     {
         return checked
@@ -159,7 +198,8 @@ impact::hardSphereWall Foam::reboundEntries::hardSphere
             dict, [&] { return law::constant(restitution, friction); }
         );
     }
-    const scalar speed = dict.get<scalar>("restitutionSpeed");
+    const scalar speed =
+        getNumber(dict, "restitutionSpeed", validRange::speed);
     return checked
     (
         dict,
@@ -174,6 +214,7 @@ impact::semiEmpiricalRebound Foam::reboundEntries::semiEmpirical
 )
 {
     typedef impact::semiEmpiricalRebound law;
+    refuseOthers(dict, {"type", "normal", "tangential", "criticalAngle"});
     return law
     (
         readCoefficient(dict, "normal", law::normalQuantity()),

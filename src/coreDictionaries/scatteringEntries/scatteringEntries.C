@@ -11,6 +11,11 @@ namespace
 
 using namespace Foam;
 
+const char* const reliefRange = "[1e-12, 1e6] m, an atom to a mountain";
+const char* const deviationRange = "[0, 1e6] m, flat to a mountain";
+const char* const scaleRange = "[1e-15, 1e6]";
+
+
 impact::convexBody readShape
 (
     const dictionary& dict,
@@ -18,42 +23,48 @@ impact::convexBody readShape
 )
 {
     typedef impact::convexBody body;
+    const word type
+    (
+        getWordOf
+        (
+            dict, "type", "",
+            {"sphere", "ellipsoid", "box", "truncatedBox", "polyhedron"}
+        )
+    );
     refuseOthers(dict, {"type", "diameter", "size", "cut", "file", "scale"});
-    const word type(dict.get<word>("type"));
+    const auto size = [&]()
+    {
+        return toCore(getComponents(dict, "size", validRange::diameter));
+    };
     return checked(dict, [&]() -> body
     {
         if (type == "sphere")
         {
-            return body::sphere(dict.get<scalar>("diameter"));
+            return body::sphere
+            (
+                getNumber(dict, "diameter", validRange::diameter)
+            );
         }
         if (type == "ellipsoid")
         {
-            return body::ellipsoid(toCore(dict.get<vector>("size")));
+            return body::ellipsoid(size());
         }
         if (type == "box")
         {
-            return body::box(toCore(dict.get<vector>("size")));
+            return body::box(size());
         }
         if (type == "truncatedBox")
         {
             return body::truncatedBox
             (
-                toCore(dict.get<vector>("size")),
-                dict.getOrDefault<scalar>("cut", 0.25)
+                size(),
+                getNumber(dict, "cut", "(0, 0.5)", scalar(0.25))
             );
         }
-        if (type == "polyhedron")
-        {
-            return body::polyhedron
-            (
-                getFile(dict, "file", casePath),
-                dict.getOrDefault<scalar>("scale", 1)
-            );
-        }
-        unknownWord
+        return body::polyhedron
         (
-            dict, "shape type", type,
-            {"sphere", "ellipsoid", "box", "truncatedBox", "polyhedron"}
+            getFile(dict, "file", casePath),
+            getNumber(dict, "scale", scaleRange, scalar(1))
         );
     });
 }
@@ -66,6 +77,14 @@ std::shared_ptr<const impact::relief> readWall
 )
 {
     typedef impact::relief relief;
+    const word type
+    (
+        getWordOf
+        (
+            dict, "type", "",
+            {"smooth", "rough", "profile", "sinusoidal", "flat"}
+        )
+    );
     refuseOthers
     (
         dict,
@@ -74,7 +93,6 @@ std::shared_ptr<const impact::relief> readWall
             "file", "scale", "amplitude", "wavelength"
         }
     );
-    const word type(dict.get<word>("type"));
     if (type == "smooth")
     {
         return nullptr;
@@ -87,9 +105,9 @@ std::shared_ptr<const impact::relief> readWall
             {
                 return relief::rough
                 (
-                    dict.get<scalar>("meanSpacing"),
-                    dict.get<scalar>("sigmaSpacing"),
-                    dict.get<scalar>("sigmaHeight")
+                    getNumber(dict, "meanSpacing", reliefRange),
+                    getNumber(dict, "sigmaSpacing", deviationRange),
+                    getNumber(dict, "sigmaHeight", deviationRange)
                 );
             }
             if (type == "profile")
@@ -97,26 +115,18 @@ std::shared_ptr<const impact::relief> readWall
                 return relief::profile
                 (
                     getFile(dict, "file", casePath),
-                    dict.getOrDefault<scalar>("scale", 1)
+                    getNumber(dict, "scale", scaleRange, scalar(1))
                 );
             }
             if (type == "sinusoidal")
             {
                 return relief::sinusoidal
                 (
-                    dict.get<scalar>("amplitude"),
-                    dict.get<scalar>("wavelength")
+                    getNumber(dict, "amplitude", deviationRange),
+                    getNumber(dict, "wavelength", reliefRange)
                 );
             }
-            if (type == "flat")
-            {
-                return relief::flat();
-            }
-            unknownWord
-            (
-                dict, "wall type", type,
-                {"smooth", "rough", "profile", "sinusoidal", "flat"}
-            );
+            return relief::flat();
         })
     );
 }
@@ -129,30 +139,29 @@ impact::reboundLaw readLaw(const dictionary& dict)
     (
         dict, {"type", "normal", "tangential", "restitution", "friction"}
     );
-    const word type(dict.get<word>("type"));
-    return checked(dict, [&]() -> law
+    const word type
+    (
+        getWordOf(dict, "type", "", {"restitution", "friction"})
+    );
+    if (type == "restitution")
     {
-        if (type == "restitution")
-        {
-            return law::restitution
-            (
-                dict.getOrDefault<scalar>("normal", 0.8),
-                dict.getOrDefault<scalar>("tangential", 0)
-            );
-        }
-        if (type == "friction")
-        {
-            return law::coulomb
-            (
-                dict.getOrDefault<scalar>("restitution", 0.8),
-                dict.getOrDefault<scalar>("friction", 0.3)
-            );
-        }
-        unknownWord
+        const scalar normal =
+            getNumber(dict, "normal", validRange::share, scalar(0.8));
+        const scalar tangential =
+            getNumber(dict, "tangential", "[-1, 1]", scalar(0));
+        return checked
         (
-            dict, "law type", type, {"restitution", "friction"}
+            dict, [&] { return law::restitution(normal, tangential); }
         );
-    });
+    }
+    const scalar restitution =
+        getNumber(dict, "restitution", validRange::share, scalar(0.8));
+    const scalar friction =
+        getNumber(dict, "friction", validRange::friction, scalar(0.3));
+    return checked
+    (
+        dict, [&] { return law::coulomb(restitution, friction); }
+    );
 }
 
 } // End anonymous namespace
@@ -185,14 +194,11 @@ void Foam::scatteringEntries::read
         ) == "isotropic"
       ? impact::orientationLaw::isotropic
       : impact::orientationLaw::uniformEuler;
-    setup.maxImpacts = dict.getOrDefault<label>("maxImpacts", 200);
+    setup.maxImpacts = getNumber<label>(dict, "maxImpacts", "[1, 1e9]", 200);
 }
 
 
 uint64_t Foam::scatteringEntries::getSeed(const dictionary& dict)
 {
-    return uint64_t
-    (
-        getWhole(dict, "seed", dict.getOrDefault<scalar>("seed", 1), 0, 9e15)
-    );
+    return uint64_t(getWhole(dict, "seed", "[0, 9e15]", 1));
 }

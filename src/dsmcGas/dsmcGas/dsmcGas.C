@@ -3,8 +3,10 @@
 \*---------------------------------------------------------------------------*/
 
 #include "dsmcGas.H"
+#include "checked.H"
 #include "lagrangianFile.H"
 #include "maxwellian.H"
+#include "presentFile.H"
 #include "wallPolyPatch.H"
 #include "wordRes.H"
 
@@ -183,50 +185,29 @@ void Foam::dsmcGas::events::sumOverProcessors()
 
 void Foam::dsmcGas::checkEntries() const
 {
-    static const wordList ours
-    {
-        "wallDiffuseFractions", "sampling", "reportEvery", "randomSeed"
-    };
-    static const wordList stock
-    {
-        "nEquivalentParticles", "typeIdList", "moleculeProperties",
-        "BinaryCollisionModel", "WallInteractionModel", "InflowBoundaryModel"
-    };
-    for (const entry& e : properties_)
-    {
-        const word& name = e.keyword();
-        if
-        (
-            name != "FoamFile" && !ours.found(name) && !stock.found(name)
-         && !name.endsWith("Coeffs")
-        )
+    // Ours, those of the stock program, and its models' coefficients
+    refuseOthers
+    (
+        properties_,
         {
-            FatalIOErrorInFunction(properties_)
-                << "Unknown entry " << name << nl
-                << "Valid entries: " << stock << " " << ours
-                << " and <model>Coeffs" << exit(FatalIOError);
+            "wallDiffuseFractions", "sampling", "reportEvery", "randomSeed",
+            "nEquivalentParticles", "typeIdList", "moleculeProperties",
+            "BinaryCollisionModel", "WallInteractionModel",
+            "InflowBoundaryModel", "VariableHardSphereCoeffs",
+            "LarsenBorgnakkeVariableHardSphereCoeffs", "NoBinaryCollisionCoeffs",
+            "MixedDiffuseSpecularCoeffs", "MaxwellianThermalCoeffs",
+            "SpecularReflectionCoeffs", "FreeStreamCoeffs",
+            "NoInflowCoeffs"
         }
-    }
+    );
 }
 
 
 void Foam::dsmcGas::readSpecies()
 {
-    weight_ = properties_.get<scalar>("nEquivalentParticles");
-    if (!(weight_ > 0))
-    {
-        FatalIOErrorInFunction(properties_)
-            << "Entry nEquivalentParticles is " << weight_ << nl
-            << "Valid range: nEquivalentParticles > 0" << exit(FatalIOError);
-    }
-    const label seed = properties_.getOrDefault<label>("randomSeed", 1);
-    if (seed < 0)
-    {
-        FatalIOErrorInFunction(properties_)
-            << "Entry randomSeed is " << seed << nl
-            << "Valid range: randomSeed >= 0" << exit(FatalIOError);
-    }
-    seed_ = seed;
+    weight_ =
+        getNumber(properties_, "nEquivalentParticles", validRange::number);
+    seed_ = getNumber<label>(properties_, "randomSeed", validRange::seed, 1);
 
     names_ = properties_.get<wordList>("typeIdList");
     if (names_.empty())
@@ -246,11 +227,15 @@ void Foam::dsmcGas::readSpecies()
                 << "Species found: " << all.toc() << exit(FatalIOError);
         }
         const dictionary& d = all.subDict(name);
+        refuseOthers
+        (
+            d, {"mass", "diameter", "omega", "internalDegreesOfFreedom"}
+        );
         species_.push_back
         (
             {
-                d.get<scalar>("mass"),
-                d.get<scalar>("diameter"),
+                getNumber(d, "mass", "[1e-28, 1e-20] kg, of a molecule"),
+                getNumber(d, "diameter", "[1e-12, 1e-7] m, of a molecule"),
                 d.get<scalar>("omega"),
                 int(d.get<label>("internalDegreesOfFreedom"))
             }
@@ -272,42 +257,42 @@ void Foam::dsmcGas::readSpecies()
 
 void Foam::dsmcGas::readCollisions()
 {
-    const word model(properties_.get<word>("BinaryCollisionModel"));
+    const word model
+    (
+        getWordOf
+        (
+            properties_, "BinaryCollisionModel", "",
+            {"LarsenBorgnakkeVariableHardSphere", "VariableHardSphere", "none"}
+        )
+    );
     const bool exchange = model == "LarsenBorgnakkeVariableHardSphere";
     if (model == "none")
     {
         return;
     }
-    if (!exchange && model != "VariableHardSphere")
-    {
-        FatalIOErrorInFunction(properties_)
-            << "Entry BinaryCollisionModel is " << model << nl
-            << "Valid models: (LarsenBorgnakkeVariableHardSphere"
-            << " VariableHardSphere none)" << exit(FatalIOError);
-    }
     const dictionary& coeffs = properties_.subDict(model + "Coeffs");
-    const scalar Tref = coeffs.get<scalar>("Tref");
+    refuseOthers
+    (
+        coeffs,
+        exchange
+      ? wordList{"Tref", "relaxationCollisionNumber"} : wordList{"Tref"}
+    );
+    const scalar Tref = getNumber(coeffs, "Tref", validRange::temperature);
     const scalar Z =
-        exchange ? coeffs.get<scalar>("relaxationCollisionNumber") : 0;
-    try
-    {
-        if (exchange && Z == 0)
+        exchange
+      ? getNumber(coeffs, "relaxationCollisionNumber", "[1, 1e12]") : 0;
+    checked
+    (
+        coeffs,
+        [&]
         {
-            throw std::invalid_argument
+            collisions_.reset
             (
-                "relaxationCollisionNumber is 0. Valid range: >= 1"
+                new impact::cellCollisions(species_, Tref, Z, seed_)
             );
+            return true;
         }
-        collisions_.reset
-        (
-            new impact::cellCollisions(species_, Tref, Z, seed_)
-        );
-    }
-    catch (const std::invalid_argument& e)
-    {
-        FatalIOErrorInFunction(coeffs)
-            << "Entry " << e.what() << exit(FatalIOError);
-    }
+    );
 }
 
 
@@ -326,43 +311,33 @@ void Foam::dsmcGas::readWalls()
     };
     IOobject T = present("boundaryT");
     IOobject U = present("boundaryU");
-    if (T.typeHeaderOk<volScalarField>(true))
+    if (isPresent<volScalarField>(T))
     {
         boundaryT_.reset(new volScalarField(T, mesh_));
     }
-    if (U.typeHeaderOk<volVectorField>(true))
+    if (isPresent<volVectorField>(U))
     {
         boundaryU_.reset(new volVectorField(U, mesh_));
     }
 
-    const word model(properties_.get<word>("WallInteractionModel"));
+    const word model
+    (
+        getWordOf
+        (
+            properties_, "WallInteractionModel", "",
+            {"MaxwellianThermal", "MixedDiffuseSpecular", "SpecularReflection"}
+        )
+    );
     scalar fraction = 0;
-    const auto check = [](const dictionary& d, const word& name)
-    {
-        const scalar value = d.get<scalar>(name);
-        if (!(value >= 0 && value <= 1))
-        {
-            FatalIOErrorInFunction(d)
-                << "Entry " << name << " is " << value << nl
-                << "Valid range: 0 <= fraction <= 1" << exit(FatalIOError);
-        }
-        return value;
-    };
     if (model == "MaxwellianThermal")
     {
         fraction = 1;
     }
     else if (model == "MixedDiffuseSpecular")
     {
-        fraction = check(properties_.subDict(model + "Coeffs"),
-            "diffuseFraction");
-    }
-    else if (model != "SpecularReflection")
-    {
-        FatalIOErrorInFunction(properties_)
-            << "Entry WallInteractionModel is " << model << nl
-            << "Valid models: (MaxwellianThermal MixedDiffuseSpecular"
-            << " SpecularReflection)" << exit(FatalIOError);
+        const dictionary& coeffs = properties_.subDict(model + "Coeffs");
+        refuseOthers(coeffs, {"diffuseFraction"});
+        fraction = getNumber(coeffs, "diffuseFraction", validRange::share);
     }
 
     const polyBoundaryMesh& patches = mesh_.boundaryMesh();
@@ -382,10 +357,11 @@ void Foam::dsmcGas::readWalls()
             diffuseFraction_[patchi] = fraction;
         }
     }
-    const dictionary own = properties_.subOrEmptyDict("wallDiffuseFractions");
+    const dictionary* block = findBlock(properties_, "wallDiffuseFractions");
+    const dictionary own(block ? *block : dictionary());
     for (const entry& e : own)
     {
-        const scalar value = check(own, e.keyword());
+        const scalar value = getNumber(own, e.keyword(), validRange::share);
         bool found = false;
         forAll(patches, patchi)
         {
@@ -398,9 +374,7 @@ void Foam::dsmcGas::readWalls()
         }
         if (!found)
         {
-            FatalIOErrorInFunction(own)
-                << "Entry " << e.keyword() << " matches no wall" << nl
-                << "Valid patches: " << walls << exit(FatalIOError);
+            unknownWord(own, "wall", e.keyword(), walls);
         }
     }
 
@@ -422,21 +396,25 @@ void Foam::dsmcGas::readWalls()
         const vectorField& wallU = boundaryU_->boundaryField()[patchi];
         forAll(patch, i)
         {
-            if (!(wallT[i] > 0))
+            if (!within(wallT[i], validRange::temperature))
             {
                 FatalIOErrorInFunction(boundaryT_->objectPath())
-                    << "boundaryT of the diffuse wall " << patch.name()
-                    << " is " << wallT[i] << nl << "Valid range: T > 0"
-                    << exit(FatalIOError);
+                    << "Entry boundaryT of the diffuse wall " << patch.name()
+                    << ' ' << wallT[i] << ": valid range "
+                    << validRange::temperature << exit(FatalIOError);
             }
             const vector n = normalised(patch.faceAreas()[i]);
-            if (mag(wallU[i] & n) > 1e-6*mag(wallU[i]))
+            if
+            (
+                !(cmptMax(cmptMag(wallU[i])) < 3e8)
+             || mag(wallU[i] & n) > 1e-6*mag(wallU[i])
+            )
             {
                 FatalIOErrorInFunction(boundaryU_->objectPath())
-                    << "boundaryU of the diffuse wall " << patch.name()
-                    << " is " << wallU[i] << " where its normal is " << n
-                    << nl << "Valid: a velocity along the wall"
-                    << exit(FatalIOError);
+                    << "Entry boundaryU of the diffuse wall " << patch.name()
+                    << ' ' << wallU[i] << " where its normal is " << n
+                    << ": valid range a velocity along the wall, less than"
+                    << " 3e8 m/s" << exit(FatalIOError);
             }
         }
     }
@@ -486,13 +464,8 @@ void Foam::dsmcGas::makeBoxes()
 
 void Foam::dsmcGas::readSampling()
 {
-    reportEvery_ = properties_.getOrDefault<label>("reportEvery", 10);
-    if (reportEvery_ < 1)
-    {
-        FatalIOErrorInFunction(properties_)
-            << "Entry reportEvery is " << reportEvery_ << nl
-            << "Valid range: reportEvery >= 1 [steps]" << exit(FatalIOError);
-    }
+    reportEvery_ =
+        getNumber<label>(properties_, "reportEvery", validRange::count, 10);
 
     const dictionary* functions =
         mesh_.time().controlDict().findDict("functions");
@@ -501,26 +474,13 @@ void Foam::dsmcGas::readSampling()
         instantaneous_.reset(new gasFields(mesh_, species_, weight_, ""));
     }
 
-    const dictionary* sampling = properties_.findDict("sampling");
-    if (sampling)
+    if (const dictionary* sampling = findBlock(properties_, "sampling"))
     {
-        for (const entry& e : *sampling)
-        {
-            if (e.keyword() != "start" && e.keyword() != "every")
-            {
-                FatalIOErrorInFunction(*sampling)
-                    << "Unknown entry " << e.keyword() << nl
-                    << "Valid entries: (start every)" << exit(FatalIOError);
-            }
-        }
-        samplingStart_ = sampling->getOrDefault<scalar>("start", 0);
-        samplingEvery_ = sampling->getOrDefault<label>("every", 1);
-        if (samplingEvery_ < 1)
-        {
-            FatalIOErrorInFunction(*sampling)
-                << "Entry every is " << samplingEvery_ << nl
-                << "Valid range: every >= 1 [steps]" << exit(FatalIOError);
-        }
+        refuseOthers(*sampling, {"start", "every"});
+        samplingStart_ =
+            getNumber(*sampling, "start", validRange::time, scalar(0));
+        samplingEvery_ =
+            getNumber<label>(*sampling, "every", validRange::count, 1);
         means_.reset(new gasFields(mesh_, species_, weight_, "Mean"));
     }
 }

@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "freeStream.H"
+#include "checked.H"
 #include "maxwellian.H"
 #include "wordRes.H"
 
@@ -77,10 +78,10 @@ Foam::labelList Foam::freeStream::openPatches
     }
     if (matched.empty())
     {
-        FatalIOErrorInFunction(dict)
-            << "Entry " << entryName << " holds " << expression
-            << ", which no open patch matches" << nl
-            << "Valid patches: " << open << exit(FatalIOError);
+        unknownWord
+        (
+            dict, (entryName + ": open patch").c_str(), expression, open
+        );
     }
     return matched;
 }
@@ -103,17 +104,12 @@ void Foam::freeStream::addPatch
         const label typeId = names.find(e.keyword());
         if (typeId < 0)
         {
-            FatalIOErrorInFunction(densities)
-                << "Unknown species " << e.keyword() << nl
-                << "Valid species: " << names << exit(FatalIOError);
+            unknownWord(densities, "species", e.keyword(), names);
         }
-        const scalar density = densities.get<scalar>(e.keyword());
-        if (!(density >= 0))
-        {
-            FatalIOErrorInFunction(densities)
-                << "Entry " << e.keyword() << " is " << density << nl
-                << "Valid range: density >= 0" << exit(FatalIOError);
-        }
+        const scalar density = getNumber
+        (
+            densities, e.keyword(), "[0, 1e30] 1/m3, denser than any solid"
+        );
         if (density == 0)
         {
             continue;
@@ -121,12 +117,21 @@ void Foam::freeStream::addPatch
 
         forAll(patch, j)
         {
-            if (!(T[j] > 0))
+            if (!within(T[j], validRange::temperature))
             {
-                FatalIOErrorInFunction(dict)
-                    << "boundaryT is " << T[j] << " on patch "
-                    << patch.name() << ", through which gas enters" << nl
-                    << "Valid range: T > 0" << exit(FatalIOError);
+                refuse
+                (
+                    dict, "boundaryT", T[j], "on patch ", patch.name(),
+                    ", through which gas enters: ", validRange::temperature
+                );
+            }
+            if (!(cmptMax(cmptMag(U[j])) < 3e8))
+            {
+                refuse
+                (
+                    dict, "boundaryU", U[j], "on patch ", patch.name(),
+                    " of components ", validRange::velocity
+                );
             }
             const scalar area = mag(patch.faceAreas()[j]);
             const vector n = -patch.faceAreas()[j]/area;
@@ -167,33 +172,16 @@ Foam::freeStream::freeStream
     cells_(cells),
     species_(species)
 {
-    const word model(dict.get<word>("InflowBoundaryModel"));
-    if (model == "none")
+    if
+    (
+        getWordOf(dict, "InflowBoundaryModel", "", {"FreeStream", "none"})
+     == "none"
+    )
     {
         return;
     }
-    if (model != "FreeStream")
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry InflowBoundaryModel is " << model << nl
-            << "Valid models: (FreeStream none)" << exit(FatalIOError);
-    }
     const dictionary& coeffs = dict.subDict("FreeStreamCoeffs");
-    for (const entry& e : coeffs)
-    {
-        const word& name = e.keyword();
-        if
-        (
-            name != "numberDensities" && name != "patches"
-         && name != "inflows"
-        )
-        {
-            FatalIOErrorInFunction(coeffs)
-                << "Unknown entry " << name << nl
-                << "Valid entries: (numberDensities patches inflows)"
-                << exit(FatalIOError);
-        }
-    }
+    refuseOthers(coeffs, {"numberDensities", "patches", "inflows"});
 
     const auto boundaryFieldsNeeded = [&](const dictionary& d)
     {
@@ -209,25 +197,12 @@ Foam::freeStream::freeStream
     // Gases of their own, in the order of the patches
     const polyBoundaryMesh& patches = cells.mesh().boundaryMesh();
     List<const dictionary*> own(patches.size(), nullptr);
-    const dictionary inflows = coeffs.subOrEmptyDict("inflows");
+    const dictionary* block = findBlock(coeffs, "inflows");
+    const dictionary inflows(block ? *block : dictionary());
     for (const entry& e : inflows)
     {
         const dictionary& gas = inflows.subDict(e.keyword());
-        for (const entry& part : gas)
-        {
-            const word& name = part.keyword();
-            if
-            (
-                name != "numberDensities" && name != "temperature"
-             && name != "velocity"
-            )
-            {
-                FatalIOErrorInFunction(gas)
-                    << "Unknown entry " << name << nl
-                    << "Valid entries: (numberDensities temperature velocity)"
-                    << exit(FatalIOError);
-            }
-        }
+        refuseOthers(gas, {"numberDensities", "temperature", "velocity"});
         for
         (
             const label patchi
@@ -249,15 +224,7 @@ Foam::freeStream::freeStream
             vectorField U(n);
             if (gas.found("temperature"))
             {
-                const scalar value = gas.get<scalar>("temperature");
-                if (!(value > 0))
-                {
-                    FatalIOErrorInFunction(gas)
-                        << "Entry temperature is " << value << nl
-                        << "Valid range: temperature > 0 [K]"
-                        << exit(FatalIOError);
-                }
-                T = value;
+                T = getNumber(gas, "temperature", validRange::temperature);
             }
             else
             {
@@ -266,7 +233,7 @@ Foam::freeStream::freeStream
             }
             if (gas.found("velocity"))
             {
-                U = gas.get<vector>("velocity");
+                U = getComponents(gas, "velocity", validRange::velocity);
             }
             else
             {

@@ -3,8 +3,10 @@
 \*---------------------------------------------------------------------------*/
 
 #include "highSpeedGas.H"
+#include "checked.H"
 #include "steadySolution.H"
 #include "localIOdictionary.H"
+#include "presentFile.H"
 #include "sigFpe.H"
 
 const Foam::Enum<Foam::highSpeedGas::modeType>
@@ -125,32 +127,22 @@ void Foam::highSpeedGas::refuseTimeScheme() const
 void Foam::highSpeedGas::readSettings()
 {
     const dictionary& solution = mesh_.solutionDict();
-    const dictionary* found = solution.findDict("highSpeedGas");
+    const dictionary* found = findBlockAmongOthers(solution, "highSpeedGas");
     const dictionary& d = found ? *found : dictionary::null;
 
-    static const wordList known
-    {
-        "mode", "scheme", "maxCo", "residual", "maxIterations",
-        "reportEvery", "viscous"
-    };
-    for (const entry& e : d)
-    {
-        if (!known.found(e.keyword()))
+    refuseOthers
+    (
+        d,
         {
-            FatalIOErrorInFunction(d)
-                << "Unknown entry " << e.keyword() << nl
-                << "Valid entries: " << known << exit(FatalIOError);
+            "mode", "scheme", "maxCo", "residual", "maxIterations",
+            "reportEvery", "viscous"
         }
-    }
+    );
 
-    const word mode(d.getOrDefault<word>("mode", "transient"));
-    if (!modeNames.found(mode))
-    {
-        FatalIOErrorInFunction(d)
-            << "Entry mode is " << mode << nl
-            << "Valid modes: " << modeNames.sortedToc() << exit(FatalIOError);
-    }
-    mode_ = modeNames[mode];
+    mode_ = modeNames
+    [
+        getWord(d, "mode", {"transient", "steady", "frozen"})
+    ];
     refuseTimeScheme();
 
     const bool steady = mode_ == modeType::steady;
@@ -160,69 +152,80 @@ void Foam::highSpeedGas::readSettings()
       ? wordList({"Euler", "RK2", "RK3"})
       : wordList({"Euler", "RK2", "RK3", "implicit"})
     );
-    const word scheme
+    const label i = schemes.find
     (
-        d.getOrDefault<word>("scheme", steady ? "implicit" : "RK3")
+        getWordOf(d, "scheme", steady ? "implicit" : "RK3", schemes)
     );
-    const label i = schemes.find(scheme);
-    if (i < 0)
-    {
-        FatalIOErrorInFunction(d)
-            << "Unknown scheme " << scheme << " for mode "
-            << modeNames[mode_] << nl
-            << "Valid schemes: " << schemes << exit(FatalIOError);
-    }
     implicit_ = i == 3;
     stages_ = implicit_ ? 3 : i + 1;
-
-    auto inRange = [&]
-    (
-        const word& name,
-        const scalar value,
-        const bool ok,
-        const char* range
-    )
-    {
-        if (!ok)
-        {
-            FatalIOErrorInFunction(d)
-                << "Entry " << name << " is " << value
-                << "; its valid range is " << range << exit(FatalIOError);
-        }
-    };
 
     const dictionary& control = mesh_.time().controlDict();
     adjustsTimeStep_ =
         mode_ == modeType::transient
      && control.getOrDefault("adjustTimeStep", false);
 
-    maxCo_ = d.getOrDefault<scalar>
+    maxCo_ = getNumber
     (
-        "maxCo",
-        implicit_ ? 100 : adjustsTimeStep_ ? 1 : 0.5
+        d, "maxCo", implicit_ ? "(0, 1e9]" : "(0, 1]",
+        scalar(implicit_ ? 100 : adjustsTimeStep_ ? 1 : 0.5)
     );
-    inRange
-    (
-        "maxCo", maxCo_, maxCo_ > 0 && maxCo_ <= (implicit_ ? 1e9 : 1),
-        implicit_ ? "(0, 1e9]" : "(0, 1]"
-    );
-    stepCo_ = control.getOrDefault<scalar>("maxCo", 0.5);
-    if (!(stepCo_ > 0 && stepCo_ < GREAT))
-    {
-        FatalIOErrorInFunction(control)
-            << "Entry maxCo is " << stepCo_ << "; its valid range is > 0"
-            << exit(FatalIOError);
-    }
-    residual_ = d.getOrDefault<scalar>("residual", 1e-4);
-    inRange("residual", residual_, residual_ > 0 && residual_ < 1, "(0, 1)");
-    maxIterations_ = d.getOrDefault<label>("maxIterations", 10000);
-    inRange("maxIterations", maxIterations_, maxIterations_ >= 1, ">= 1");
-    reportEvery_ = d.getOrDefault<label>("reportEvery", 100);
-    inRange("reportEvery", reportEvery_, reportEvery_ >= 1, ">= 1");
+    stepCo_ = getNumber(control, "maxCo", "(0, 1e300]", scalar(0.5));
+    residual_ = getNumber(d, "residual", "(0, 1)", scalar(1e-4));
+    maxIterations_ =
+        getNumber<label>(d, "maxIterations", validRange::count, 10000);
+    reportEvery_ = getNumber<label>(d, "reportEvery", validRange::count, 100);
     viscous_ = d.getOrDefault
     (
         "viscous", gasEquations::hasViscosity(*thermo_)
     );
+}
+
+
+void Foam::highSpeedGas::checkGas(const fvMesh& mesh)
+{
+    // The stock models divide by some of these numbers before they look
+    static const List<Tuple2<word, string>> ranges
+    {
+        {"molWeight", "[0.1, 1e6] kg/kmol, lighter than hydrogen to polymers"},
+        {"Cp", "(0, 1e9) J/(kg K)"},
+        {"Cv", "(0, 1e9) J/(kg K)"},
+        {"mu", "[0, 1e3] Pa s, no gas"},
+        {"Pr", "(0, 1e6]"},
+        {"As", "(0, 1] kg/(m s K^0.5), about 1e-6 for gases"},
+        {"Ts", "[0, 1e5] K"}
+    };
+    IOobject io
+    (
+        basicThermo::dictName, mesh.time().constant(), mesh,
+        IOobject::MUST_READ, IOobject::NO_WRITE, false
+    );
+    if (!isPresent<IOdictionary>(io))
+    {
+        return;     // the stock reader says so
+    }
+    const IOdictionary properties(io);
+    const dictionary& gas = properties.subOrEmptyDict("mixture");
+    for (const entry& e : gas)
+    {
+        if (!e.isDict())
+        {
+            continue;
+        }
+        for (const Tuple2<word, string>& range : ranges)
+        {
+            const ITstream* is =
+                e.dict().found(range.first())
+             && !e.dict().isDict(range.first())
+              ? &e.dict().lookup(range.first()) : nullptr;
+            if (is && is->size() && (*is)[0].isNumber())
+            {
+                checkNumber
+                (
+                    e.dict(), range.first(), (*is)[0].number(), range.second()
+                );
+            }
+        }
+    }
 }
 
 
@@ -235,6 +238,7 @@ Foam::autoPtr<Foam::fluidThermo> Foam::highSpeedGas::readThermo
     {
         checkPositive(mesh, name);
     }
+    checkGas(mesh);
     return fluidThermo::New(mesh);
 }
 

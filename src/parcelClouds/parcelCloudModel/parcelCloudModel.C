@@ -3,10 +3,12 @@
 \*---------------------------------------------------------------------------*/
 
 #include "parcelCloudModel.H"
+#include "checked.H"
 #include "IOdictionary.H"
 #include "Time.H"
 
 #include <ctime>
+#include <dlfcn.h>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -15,6 +17,85 @@ namespace Foam
     defineTypeNameAndDebug(parcelCloudModel, 0);
     defineRunTimeSelectionTable(parcelCloudModel, gas);
 }
+
+
+namespace
+{
+
+using namespace Foam;
+
+//- The stock cloud asks for this block without saying what belongs in it
+void checkSources(const dictionary& solution)
+{
+    if
+    (
+        solution.getOrDefault<bool>("coupled", false)
+     && !solution.subOrEmptyDict("sourceTerms").isDict("schemes")
+    )
+    {
+        FatalIOErrorInFunction(solution)
+            << "Entry sourceTerms is missing: with coupled yes, add" << nl
+            << "    sourceTerms { schemes { U explicit 1; } }"
+            << exit(FatalIOError);
+    }
+}
+
+
+//- Refuse a model of ours whose library is not loaded, which the stock clouds
+//  call unknown
+void findLibraries(const dictionary& dict)
+{
+    static const HashTable<string> libraryOf
+    {
+        {"crossSectionInjection", "parcelInjection"},
+        {"rakeInjection", "parcelInjection"},
+        {"hendersonDrag", "parcelForces"},
+        {"hardSphereWall", "parcelWallInteraction"},
+        {"semiEmpiricalRebound", "parcelWallInteraction"},
+        {"nonSphericalRebound", "parcelWallInteraction"},
+        {"jkrAdhesion", "parcelWallInteraction"},
+        {"surfaceImpact", "parcelWallInteraction"},
+        {"impactRecords", "parcelWallInteraction"},
+        {"dispersedPhase", "parcelWallInteraction"}
+    };
+    for (const entry& e : dict)
+    {
+        if (e.isDict())
+        {
+            findLibraries(e.dict());
+        }
+        word model;
+        if (dict.dictName() == "particleForces")
+        {
+            model = e.keyword();
+        }
+        else if (!e.isDict() && (e.keyword() == "type"
+         || e.keyword() == "patchInteractionModel"))
+        {
+            const ITstream& is = e.stream();
+            model = is.size() && is[0].isWord() ? is[0].wordToken() : word();
+        }
+        const auto library = libraryOf.cfind(model);
+        if
+        (
+            library.found()
+         && !::dlopen
+            (
+                ("lib" + library.val() + ".so").c_str(),
+                RTLD_LAZY | RTLD_NOLOAD
+            )
+        )
+        {
+            FatalIOErrorInFunction(dict)
+                << "Unknown " << e.keyword() << ' ' << model << nl
+                << model << " is in the library " << library.val().c_str()
+                << ": add libs (" << library.val().c_str()
+                << "); to system/controlDict" << exit(FatalIOError);
+        }
+    }
+}
+
+} // End anonymous namespace
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -47,6 +128,11 @@ Foam::autoPtr<Foam::parcelCloudModel> Foam::parcelCloudModel::New
             false
         )
     );
+    refuseOthers
+    (
+        properties,
+        {"type", "solution", "constantProperties", "subModels", "cloudFunctions"}
+    );
     const word type
     (
         properties.lookupOrDefault<word>("type", "basicKinematicCloud")
@@ -55,10 +141,18 @@ Foam::autoPtr<Foam::parcelCloudModel> Foam::parcelCloudModel::New
     auto constructor = gasConstructorTablePtr_->cfind(type);
     if (!constructor.found())
     {
-        FatalIOErrorInFunction(properties)
-            << "Entry 'type', value " << type << ", is no kind of cloud."
-            << " Valid: " << gasConstructorTablePtr_->sortedToc()
-            << exit(FatalIOError);
+        unknownWord
+        (
+            properties, "type", type, gasConstructorTablePtr_->sortedToc(),
+            type == "spinningKinematicCloud"
+          ? ". It is in the library spinningParcel: add libs (spinningParcel);"
+            " to system/controlDict" : ""
+        );
+    }
+    checkSources(properties.subDict("solution"));
+    if (type != "spinningKinematicCloud")
+    {
+        findLibraries(properties);
     }
 
     Info<< "Cloud " << name << " (" << type << ")" << endl;

@@ -3,6 +3,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "parcelClouds.H"
+#include "checked.H"
+#include "presentFile.H"
 #include "wallGasInterpolation.H"
 #include "withheldOutput.H"
 #include "HashSet.H"
@@ -23,22 +25,24 @@ Foam::wordList Foam::parcelClouds::readNames(const fvMesh& mesh)
         IOobject::NO_WRITE,
         false
     );
-    if (!io.typeHeaderOk<IOdictionary>(true))
+    if (!isPresent<IOdictionary>(io))
     {
+        Info<< "Clouds: none (there is no file constant/parcelClouds)" << nl
+            << endl;
         return wordList();
     }
 
     const IOdictionary dict(io);
+    refuseOthers(dict, {"clouds"});
     const wordList names(dict.get<wordList>("clouds"));
+    Info<< "Clouds: " << (names.empty() ? "none" : listed(names).c_str())
+        << nl << endl;
     wordHashSet seen;
     for (const word& name : names)
     {
         if (!seen.insert(name))
         {
-            FatalIOErrorInFunction(dict)
-                << "Entry 'clouds', value " << name << ", appears twice; the"
-                << " valid range is a list of different names"
-                << exit(FatalIOError);
+            refuse(dict, "clouds", name, "a list of different names");
         }
     }
     return names;
@@ -56,7 +60,7 @@ Foam::dimensionedVector Foam::parcelClouds::readG(const fvMesh& mesh)
         IOobject::NO_WRITE,
         false
     );
-    if (io.typeHeaderOk<uniformDimensionedVectorField>(true))
+    if (isPresent<uniformDimensionedVectorField>(io))
     {
         return uniformDimensionedVectorField(io);
     }

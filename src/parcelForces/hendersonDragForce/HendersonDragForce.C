@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "HendersonDragForce.H"
+#include "checked.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -13,9 +14,9 @@ const Foam::fluidThermo& Foam::HendersonDragForce<CloudType>::thermo() const
     {
         FatalIOErrorInFunction(this->coeffs())
             << "hendersonDrag needs the gas temperature and ratio of specific"
-            << " heats: entry 'thermo', value " << thermoName_
-            << ", is no compressible fluid thermophysical model of region "
-            << this->mesh().name() << ". Valid: "
+            << " heats. Entry thermo " << thermoName_
+            << " is no compressible fluid thermophysical model of region "
+            << this->mesh().name() << ": valid range "
             << this->mesh().template sortedNames<fluidThermo>()
             << " (an incompressible solver has none)"
             << exit(FatalIOError);
@@ -138,7 +139,7 @@ Foam::HendersonDragForce<CloudType>::HendersonDragForce
     ),
     TwOverT_
     (
-        this->coeffs().template lookupOrDefault<scalar>("TwOverT", 1)
+        getNumber(this->coeffs(), "TwOverT", "(0, 1e6]", scalar(1))
     ),
     scheme_
     (
@@ -151,20 +152,14 @@ Foam::HendersonDragForce<CloudType>::HendersonDragForce
     gammaR_(0),
     drag_(1.4, 1)
 {
-    if (TwOverT_ <= 0)
-    {
-        FatalIOErrorInFunction(this->coeffs())
-            << "Entry 'TwOverT', value " << TwOverT_
-            << ", is outside the valid range (0, infinity)"
-            << exit(FatalIOError);
-    }
+    refuseOthers(this->coeffs(), {"thermo", "TwOverT"});
 
     if (gMin(thermo().psi().primitiveField()) <= 0)
     {
         FatalIOErrorInFunction(this->coeffs())
-            << "hendersonDrag needs a speed of sound: entry 'thermo', value "
-            << thermoName_ << ", has an incompressible equation of state"
-            << " (compressibility psi outside the valid range (0, infinity))"
+            << "hendersonDrag needs a speed of sound. Entry thermo "
+            << thermoName_ << ": valid range a model with a compressible"
+            << " equation of state (psi > 0)"
             << exit(FatalIOError);
     }
 }

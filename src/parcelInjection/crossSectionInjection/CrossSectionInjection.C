@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "CrossSectionInjection.H"
+#include "checked.H"
 #include "ListListOps.H"
 #include "ListOps.H"
 #include "wordRes.H"
@@ -11,6 +12,10 @@
 #include <stdexcept>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class CloudType>
+const Foam::scalar Foam::CrossSectionInjection<CloudType>::mostParcels = 1e9;
+
 
 template<class CloudType>
 impact::undisturbedStream Foam::CrossSectionInjection<CloudType>::makeStream
@@ -24,7 +29,7 @@ impact::undisturbedStream Foam::CrossSectionInjection<CloudType>::makeStream
     if (coeffs.found("sizes") && coeffs.found("diameter"))
     {
         FatalIOErrorInFunction(coeffs)
-            << this->modelName() << ": give either 'diameter' or 'sizes'"
+            << "Entry sizes is there as well as diameter: valid is one of them"
             << exit(FatalIOError);
     }
     if (coeffs.found("sizes"))
@@ -37,7 +42,7 @@ impact::undisturbedStream Foam::CrossSectionInjection<CloudType>::makeStream
         (
             Tuple2<scalar, scalar>
             (
-                coeffs.template get<scalar>("diameter"),
+                getNumber(coeffs, "diameter", validRange::diameter),
                 1
             )
         );
@@ -45,41 +50,32 @@ impact::undisturbedStream Foam::CrossSectionInjection<CloudType>::makeStream
 
     const scalar dz = this->thickness();
     const bool given = dict.found("nParticle");
-    const scalar nParticle = given ? this->positive("nParticle") : 1;
+    const scalar nParticle =
+        getNumber(dict, "nParticle", validRange::number, scalar(1));
 
     std::vector<impact::undisturbedStream::sizeClass> classes;
     for (const Tuple2<scalar, scalar>& size : sizes)
     {
         const scalar d = size.first();
+        checkNumber(coeffs, "sizes", d, validRange::diameter);
+        checkNumber(coeffs, "sizes", size.second(), "(0, 1]");
         classes.push_back
         (
             {d, size.second(), given || dz < 0 || d <= 0 ? nParticle : dz/d}
         );
     }
 
-    const label seed =
-        coeffs.template lookupOrDefault<label>("seed", 0);
-    if (seed < 0)
-    {
-        this->refuse("seed", seed, "[0, infinity)");
-    }
-
-    try
-    {
-        return impact::undisturbedStream
-        (
-            coeffs.template get<scalar>("volumeFraction"),
-            classes,
-            seed
-        );
-    }
-    catch (const std::invalid_argument& error)
-    {
-        FatalIOErrorInFunction(coeffs)
-            << this->modelName() << ": " << error.what()
-            << exit(FatalIOError);
-        throw;
-    }
+    const label seed = getNumber<label>(coeffs, "seed", validRange::seed, 0);
+    const scalar volumeFraction =
+        getNumber(coeffs, "volumeFraction", "(0, 0.1)");
+    return checked
+    (
+        coeffs,
+        [&]
+        {
+            return impact::undisturbedStream(volumeFraction, classes, seed);
+        }
+    );
 }
 
 
@@ -99,7 +95,11 @@ void Foam::CrossSectionInjection<CloudType>::setEntry()
     );
     if (names.empty())
     {
-        this->refuse("patches", "()", "of patches ", patchNames);
+        refuse
+        (
+            this->coeffDict(), "patches", "()", "at least one of ",
+            listed(patchNames).c_str()
+        );
     }
     labelList patchIDs;
     for (const wordRe& name : names)
@@ -115,7 +115,7 @@ void Foam::CrossSectionInjection<CloudType>::setEntry()
         }
         if (!found)
         {
-            this->refuse("patches", name, "of patches ", patchNames);
+            unknownWord(this->coeffDict(), "patches", name, patchNames);
         }
     }
     inplaceUniqueSort(patchIDs);
@@ -202,16 +202,29 @@ void Foam::CrossSectionInjection<CloudType>::setEntry()
 
     if (flux <= 0)
     {
-        this->refuse
+        refuse
         (
-            "U0",
-            this->U0(),
+            this->coeffDict(), "U0", this->U0(),
             "of velocities that point into the mesh through ",
-            names
+            flatOutput(names)
         );
     }
 
     rate_ = stream_.parcelDensity()*flux;
+
+    // No memory holds them
+    const scalar perStep =
+        rate_*this->owner().db().time().deltaTValue();
+    if (!(perStep < mostParcels))
+    {
+        refuse
+        (
+            this->coeffDict(), "volumeFraction", stream_.parcelDensity(),
+            "of parcels per m3 (here the value): fewer than ", mostParcels,
+            " parcels that enter in a time step, not ", perStep,
+            "; raise nParticle"
+        );
+    }
 }
 
 
@@ -357,13 +370,29 @@ Foam::CrossSectionInjection<CloudType>::CrossSectionInjection
     const word& modelName
 )
 :
-    IdentifiedInjection<CloudType>(dict, owner, modelName, typeName),
+    IdentifiedInjection<CloudType>
+    (
+        dict, owner, modelName, typeName,
+        {
+            "patches", "volumeFraction", "sizes", "seed", "duration", "front",
+            "prefill"
+        }
+    ),
     stream_(makeStream(dict)),
-    duration_(this->positive("duration", VGREAT)),
+    duration_
+    (
+        getNumber
+        (
+            this->coeffDict(), "duration", validRange::duration, scalar(VGREAT)
+        )
+    ),
     plane_(this->coeffDict().found("front")),
     front_
     (
-        this->coeffDict().template lookupOrDefault<point>("front", Zero)
+        getComponents
+        (
+            this->coeffDict(), "front", validRange::coordinate, vector(Zero)
+        )
     ),
     prefill_(this->coeffDict().found("prefill")),
     box_(),
@@ -374,32 +403,37 @@ Foam::CrossSectionInjection<CloudType>::CrossSectionInjection
 {
     if (magSqr(this->U0()) <= 0)
     {
-        this->refuse("U0", "(0 0 0)", "of non-zero vectors");
+        refuse(this->coeffDict(), "U0", "(0 0 0)", "any vector but zero");
     }
 
     setEntry();
 
     if (prefill_)
     {
-        ITstream& is = this->coeffDict().subDict("prefill").lookup("box");
+        const dictionary& prefill = this->coeffDict().subDict("prefill");
+        refuseOthers(prefill, {"box"});
+        ITstream& is = prefill.lookup("box");
         is >> box_.min() >> box_.max();
         if (cmptMin(box_.span()) <= 0)
         {
-            this->refuse
-            (
-                "prefill/box",
-                box_,
-                "of boxes (min) (max) with min < max"
-            );
+            refuse(prefill, "box", box_, "(min) (max) with min < max");
         }
 
         const boundBox& bounds = owner.mesh().bounds();
         box_.min() = max(box_.min(), bounds.min());
         box_.max() = min(box_.max(), bounds.max());
-        nBox_ =
+        const scalar n =
             cmptMin(box_.span()) > 0
-          ? std::llround(box_.volume()*stream_.parcelDensity())
-          : 0;
+          ? box_.volume()*stream_.parcelDensity() : 0;
+        if (!(n < mostParcels))
+        {
+            refuse
+            (
+                prefill, "box", box_, "with fewer than ", mostParcels,
+                " parcels, not ", n, "; raise nParticle"
+            );
+        }
+        nBox_ = std::llround(n);
     }
 
     Info<< "    " << modelName << ": " << rate_ << " parcels/s enter";

@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "IdentifiedInjection.H"
+#include "checked.H"
 #include "cellLocator.H"
 #include "meshTools.H"
 
@@ -13,17 +14,33 @@
 template<class CloudType>
 Foam::dictionary Foam::IdentifiedInjection<CloudType>::complete
 (
-    const dictionary& dict
+    const dictionary& dict,
+    const wordList& entries
 )
 {
+    wordList valid
+    {
+        "type", "U0", "startTime", "diameter", "nParticle", "injectorID"
+    };
+    valid.append(entries);
+    refuseOthers(dict, valid);
+
     // Mass and number are set by the models themselves; the base class must
     // not withhold a parcel that stands for less than one particle
     dictionary result(dict);
     result.set("massTotal", scalar(0));
     result.set("parcelBasisType", word("fixed"));
     result.set("minParticlesPerParcel", scalar(0));
-    result.set("SOI", result.lookupOrDefault<scalar>("startTime", 0));
-    result.add("nParticle", scalar(1));
+    result.set
+    (
+        "SOI",
+        getNumber(result, "startTime", validRange::time, scalar(0))
+    );
+    result.set
+    (
+        "nParticle",
+        getNumber(result, "nParticle", validRange::number, scalar(1))
+    );
     return result;
 }
 
@@ -92,43 +109,6 @@ void Foam::IdentifiedInjection<CloudType>::locate
 
 
 // * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * * //
-
-template<class CloudType>
-template<class Value, class... Range>
-void Foam::IdentifiedInjection<CloudType>::refuse
-(
-    const word& entry,
-    const Value& value,
-    const Range&... range
-) const
-{
-    OSstream& os = FatalIOErrorInFunction(this->coeffDict());
-    os  << this->modelName() << ": entry '" << entry << "', value " << value
-        << ", is outside the valid range ";
-    (os << ... << range);
-    os  << exit(FatalIOError);
-}
-
-
-template<class CloudType>
-Foam::scalar Foam::IdentifiedInjection<CloudType>::positive
-(
-    const word& entry,
-    const scalar deflt
-) const
-{
-    const scalar value =
-        deflt > 0
-      ? this->coeffDict().template lookupOrDefault<scalar>(entry, deflt)
-      : this->coeffDict().template get<scalar>(entry);
-
-    if (value <= 0)
-    {
-        refuse(entry, value, "(0, infinity)");
-    }
-    return value;
-}
-
 
 template<class CloudType>
 Foam::scalar Foam::IdentifiedInjection<CloudType>::thickness() const
@@ -224,11 +204,15 @@ Foam::IdentifiedInjection<CloudType>::IdentifiedInjection
     const dictionary& dict,
     CloudType& owner,
     const word& modelName,
-    const word& modelType
+    const word& modelType,
+    const wordList& entries
 )
 :
-    InjectionModel<CloudType>(complete(dict), owner, modelName, modelType),
-    U0_(this->coeffDict().template get<vector>("U0")),
+    InjectionModel<CloudType>
+    (
+        complete(dict, entries), owner, modelName, modelType
+    ),
+    U0_(getComponents(this->coeffDict(), "U0", validRange::velocity)),
     modelIndex_(0),
     nModels_(1),
     parcels_(),
@@ -236,19 +220,17 @@ Foam::IdentifiedInjection<CloudType>::IdentifiedInjection
 {
     if (!owner.solution().transient())
     {
-        FatalIOErrorInFunction(owner.solution().dict())
-            << modelType << " needs a cloud tracked in time: entry"
-            << " 'transient', value no, is outside the valid range (yes)"
-            << exit(FatalIOError);
+        refuse
+        (
+            owner.solution().dict(), "transient", "no", "yes, for ", modelType
+        );
     }
 
-    if (owner.constProps().rho0() <= 0)
-    {
-        FatalIOErrorInFunction(owner.constProps().dict())
-            << "Entry 'rho0', value " << owner.constProps().rho0()
-            << ", is outside the valid range (0, infinity)"
-            << exit(FatalIOError);
-    }
+    checkNumber
+    (
+        owner.constProps().dict(), "rho0", owner.constProps().rho0(),
+        validRange::density
+    );
 
     const wordList models
     (

@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "RakeInjection.H"
+#include "checked.H"
 #include "meshTools.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -73,30 +74,32 @@ Foam::RakeInjection<CloudType>::RakeInjection
     const word& modelName
 )
 :
-    IdentifiedInjection<CloudType>(dict, owner, modelName, typeName),
-    start_(this->coeffDict().template get<point>("start")),
-    end_(this->coeffDict().template get<point>("end")),
-    nParcels_(this->coeffDict().template get<label>("nParcels")),
-    d_(this->positive("diameter")),
-    nParticle_(this->positive("nParticle")),
+    IdentifiedInjection<CloudType>
+    (
+        dict, owner, modelName, typeName, {"start", "end", "nParcels"}
+    ),
+    start_(getComponents(this->coeffDict(), "start", validRange::coordinate)),
+    end_(getComponents(this->coeffDict(), "end", validRange::coordinate)),
+    nParcels_
+    (
+        getNumber<label>(this->coeffDict(), "nParcels", "[1, 100000000]")
+    ),
+    d_(getNumber(this->coeffDict(), "diameter", validRange::diameter)),
+    nParticle_
+    (
+        getNumber(this->coeffDict(), "nParticle", validRange::number)
+    ),
     released_(this->template getModelProperty<label>("released"))
 {
-    if (nParcels_ < 1)
-    {
-        this->refuse("nParcels", nParcels_, "[1, infinity)");
-    }
-
     for (const label i : {label(0), nParcels_ - 1})
     {
         const point p = position(i);
         if (!owner.mesh().bounds().contains(p))
         {
-            this->refuse
+            refuse
             (
-                i == 0 ? "start" : "end",
-                p,
-                owner.mesh().bounds(),
-                " (bounds of the mesh)"
+                this->coeffDict(), i == 0 ? "start" : "end", p,
+                owner.mesh().bounds(), " (bounds of the mesh)"
             );
         }
     }

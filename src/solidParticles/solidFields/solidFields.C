@@ -5,7 +5,7 @@
 #include "solidFields.H"
 #include "IOdictionary.H"
 #include "coreVector.H"
-#include "solidEntries.H"
+#include "checked.H"
 #include "wallFvPatch.H"
 
 namespace Foam
@@ -209,19 +209,13 @@ Foam::solidFields::solidFields
 :
     mesh_(mesh),
     mass_(mass),
-    start_(dict.getOrDefault<scalar>("start", 0)),
-    every_(dict.getOrDefault<label>("every", 1)),
+    start_(getNumber(dict, "start", validRange::time, scalar(0))),
+    every_(getNumber<label>(dict, "every", validRange::count, 1)),
     asked_{},
     nSteps_(0),
     duration_(0)
 {
-    solidEntries::allow(dict, {"start", "every", "fields"});
-    if (every_ < 1)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry every is " << every_ << nl
-            << "Valid range: every >= 1 [steps]" << exit(FatalIOError);
-    }
+    refuseOthers(dict, {"start", "every", "fields"});
     const wordList names
     {
         "numberDensity", "concentration", "U", "T", "exchange", "surface"

@@ -5,7 +5,7 @@
 #include "solidInflow.H"
 #include "boundBox.H"
 #include "coreVector.H"
-#include "solidEntries.H"
+#include "checked.H"
 #include "wordRes.H"
 
 #include <algorithm>
@@ -13,6 +13,8 @@
 
 namespace
 {
+    const char* const simulators = "(0, 1e9]";
+
     //- Is the entry the word 'gas'?
     bool ofGas(const Foam::dictionary& d, const Foam::word& name)
     {
@@ -30,6 +32,30 @@ namespace
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+Foam::scalarList Foam::solidInflow::perGroup
+(
+    const dictionary& d,
+    const word& name,
+    const char* range
+) const
+{
+    scalarList values(getNumbers(d, name, range));
+    if (values.size() == 1)
+    {
+        values = scalarList(groups_.size(), values[0]);
+    }
+    if (values.size() != groups_.size())
+    {
+        refuse
+        (
+            d, name, flatOutput(values), "one number, or one for each of the ",
+            groups_.size(), " groups"
+        );
+    }
+    return values;
+}
+
+
 Foam::scalarList Foam::solidInflow::realPerSimulator
 (
     const dictionary& d,
@@ -46,16 +72,24 @@ Foam::scalarList Foam::solidInflow::realPerSimulator
                 << dict_.name() << nl
                 << "Valid: one of the two" << exit(FatalIOError);
         }
-        return solidEntries::perGroup
-        (
-            dict_, "realPerSimulator", groups_.size()
-        );
+        return perGroup(dict_, "realPerSimulator", validRange::number);
     }
-    scalarList number(solidEntries::perGroup(d, count, groups_.size()));
+    scalarList number(perGroup(d, count, simulators));
     forAll(number, g)
     {
         number[g] =
             mass*groups_[g].massFraction/(groups_[g].mass*number[g]);
+    }
+    for (const scalar n : number)
+    {
+        if (!within(n, validRange::number))
+        {
+            refuse
+            (
+                d, count, flatOutput(getNumbers(d, count, simulators)),
+                "with real particles for each in ", validRange::number
+            );
+        }
     }
     return number;
 }
@@ -79,9 +113,7 @@ Foam::labelList Foam::solidInflow::regionCells(const dictionary& d) const
         const label zone = mesh.cellZones().findZoneID(name);
         if (zone < 0)
         {
-            FatalIOErrorInFunction(d)
-                << "Unknown zone " << name << nl << "Valid zones: "
-                << flatOutput(mesh.cellZones().names()) << exit(FatalIOError);
+            unknownWord(d, "zone", name, mesh.cellZones().names());
         }
         found = mesh.cellZones()[zone];
     }
@@ -94,8 +126,9 @@ Foam::labelList Foam::solidInflow::regionCells(const dictionary& d) const
         if (!(box.span().x() > 0 && box.span().y() > 0 && box.span().z() > 0))
         {
             FatalIOErrorInFunction(d)
-                << "Entry box is " << low << ' ' << high << nl
-                << "Valid: least and greatest corner" << exit(FatalIOError);
+                << "Entry box " << low << ' ' << high
+                << ": valid range least and greatest corner"
+                << exit(FatalIOError);
         }
         forAll(mesh.cellCentres(), i)
         {
@@ -107,9 +140,7 @@ Foam::labelList Foam::solidInflow::regionCells(const dictionary& d) const
     }
     if (!returnReduce(found.size(), sumOp<label>()))
     {
-        FatalIOErrorInFunction(d)
-            << "There is no cell in the region " << region
-            << exit(FatalIOError);
+        refuse(d, "region", region, "a region with cells");
     }
     return found;
 }
@@ -153,7 +184,8 @@ void Foam::solidInflow::readInflows()
 {
     const polyMesh& mesh = cells_.mesh();
     const polyBoundaryMesh& patches = mesh.boundaryMesh();
-    const dictionary& inflows = dict_.subOrEmptyDict("inflows");
+    const dictionary* block = findBlock(dict_, "inflows");
+    const dictionary inflows(block ? *block : dictionary());
     std::vector<bool> taken(patches.size(), false);
     wordList open;
     for (const polyPatch& patch : patches)
@@ -167,7 +199,7 @@ void Foam::solidInflow::readInflows()
     for (const entry& e : inflows)
     {
         const dictionary& d = inflows.subDict(e.keyword());
-        solidEntries::allow
+        refuseOthers
         (
             d,
             {
@@ -182,15 +214,19 @@ void Foam::solidInflow::readInflows()
                 << exit(FatalIOError);
         }
         const bool loading = d.found("massLoading");
-        const scalar amount = solidEntries::positive
-        (
-            d, loading ? "massLoading" : "massFlow", loading ? "" : "[kg/s]"
-        );
+        const scalar amount =
+            loading
+          ? getNumber(d, "massLoading", "(0, 1e9]")
+          : getNumber(d, "massFlow", "(0, 1e12] kg/s");
         const bool gasU = ofGas(d, "velocity");
         const bool gasT = ofGas(d, "temperature");
-        const vector U = gasU ? vector(Zero) : d.get<vector>("velocity");
+        const vector U
+        (
+            gasU
+          ? vector(Zero) : getComponents(d, "velocity", validRange::velocity)
+        );
         const scalar T =
-            gasT ? 0 : solidEntries::positive(d, "temperature", "[K], or gas");
+            gasT ? 0 : getNumber(d, "temperature", validRange::temperature);
 
         bool found = false;
         forAll(patches, patchi)
@@ -210,9 +246,11 @@ void Foam::solidInflow::readInflows()
             found = true;
             if (taken[patchi])
             {
-                FatalIOErrorInFunction(inflows)
-                    << "Entry " << e.keyword() << " is the second that"
-                    << " matches patch " << patch.name() << exit(FatalIOError);
+                refuse
+                (
+                    inflows, "inflows", e.keyword(), "one entry for patch ",
+                    patch.name()
+                );
             }
             taken[patchi] = true;
 
@@ -239,12 +277,12 @@ void Foam::solidInflow::readInflows()
                 s.temperature.push_back(gasT ? gas.temperature : T);
                 if (!((s.velocity.back() & n) > 0))
                 {
-                    FatalIOErrorInFunction(d)
-                        << "Entry velocity is " << s.velocity.back()
-                        << " where the inward normal of patch "
-                        << patch.name() << " is " << n << nl
-                        << "Valid: a velocity into the domain"
-                        << exit(FatalIOError);
+                    refuse
+                    (
+                        d, "velocity", s.velocity.back(),
+                        "a velocity into the domain, along ", n,
+                        " on patch ", patch.name()
+                    );
                 }
                 sum += loading ? amount*gas.massFlux*a : amount*a/area;
                 s.flow.push_back(sum);
@@ -264,10 +302,7 @@ void Foam::solidInflow::readInflows()
         }
         if (!found)
         {
-            FatalIOErrorInFunction(inflows)
-                << "Entry " << e.keyword() << " of inflows matches no open"
-                << " patch" << nl << "Valid patches: " << flatOutput(open)
-                << exit(FatalIOError);
+            unknownWord(inflows, "inflows: open patch", e.keyword(), open);
         }
     }
 }
@@ -301,13 +336,14 @@ Foam::label Foam::solidInflow::fill
 ) const
 {
     const polyMesh& mesh = cells_.mesh();
-    const dictionary fills = dict_.subOrEmptyDict("fills");
+    const dictionary* block = findBlock(dict_, "fills");
+    const dictionary fills(block ? *block : dictionary());
     label total = 0;
     std::uint32_t number = 0;
     for (const entry& e : fills)
     {
         const dictionary& d = fills.subDict(e.keyword());
-        solidEntries::allow
+        refuseOthers
         (
             d,
             {
@@ -316,9 +352,10 @@ Foam::label Foam::solidInflow::fill
             }
         );
         const scalar concentration =
-            solidEntries::positive(d, "concentration", "[kg/m^3]");
-        const scalar T = solidEntries::positive(d, "temperature", "[K]");
-        const impact::vector3 U = getVector(d, "velocity");
+            getNumber(d, "concentration", validRange::density);
+        const scalar T = getNumber(d, "temperature", validRange::temperature);
+        const impact::vector3 U =
+            toCore(getComponents(d, "velocity", validRange::velocity));
         const labelList region(regionCells(d));
 
         std::vector<scalar> volume;

@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "solidInterface.H"
+#include "checked.H"
 #include "IOdictionary.H"
 #include "OSspecific.H"
 #include "Time.H"
@@ -123,33 +124,16 @@ Foam::solidInterface::solidInterface
 :
     mesh_(mesh),
     isSurface_(mesh.boundary().size()),
-    start_(dict.getOrDefault<scalar>("start", 0)),
-    sectors_(dict.getOrDefault<scalar>("sectors", 1)),
-    origin_(dict.getOrDefault<vector>("origin", vector(Zero))),
+    start_(getNumber(dict, "start", validRange::time, scalar(0))),
+    sectors_(getNumber(dict, "sectors", "(0, 1e6]", scalar(1))),
+    origin_
+    (
+        getComponents(dict, "origin", validRange::coordinate, vector(Zero))
+    ),
     duration_(0),
     recording_(false)
 {
-    for (const entry& e : dict)
-    {
-        const word& name = e.keyword();
-        if
-        (
-            name != "patches" && name != "start" && name != "sectors"
-         && name != "origin"
-        )
-        {
-            FatalIOErrorInFunction(dict)
-                << "Unknown entry " << name << nl
-                << "Valid entries: (patches start sectors origin)"
-                << exit(FatalIOError);
-        }
-    }
-    if (!(sectors_ > 0))
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry sectors is " << sectors_ << nl
-            << "Valid range: sectors > 0" << exit(FatalIOError);
-    }
+    refuseOthers(dict, {"patches", "start", "sectors", "origin"});
 
     isSurface_ = false;
     for (const wordRe& expression : dict.get<wordRes>("patches"))
@@ -171,11 +155,7 @@ Foam::solidInterface::solidInterface
         }
         if (!found)
         {
-            FatalIOErrorInFunction(dict)
-                << "Entry patches holds " << expression
-                << ", which no open patch matches" << nl
-                << "Valid patches: " << flatOutput(open)
-                << exit(FatalIOError);
+            unknownWord(dict, "patches: open patch", expression, open);
         }
     }
     restore();

@@ -7,7 +7,8 @@
 #include "lagrangianFile.H"
 #include "processorPolyPatch.H"
 #include "sizeGroups.H"
-#include "solidEntries.H"
+#include "checked.H"
+#include "presentFile.H"
 
 #include <ctime>
 
@@ -162,9 +163,15 @@ void Foam::solidParticles::readGroups()
     std::vector<impact::sizeGroups::group> sizes;
     if (type == "list")
     {
-        solidEntries::allow(d, {"type", "diameters", "massFractions"});
-        const scalarList diameters(getNumbers(d, "diameters"));
-        const scalarList fractions(getNumbers(d, "massFractions"));
+        refuseOthers(d, {"type", "diameters", "massFractions"});
+        const scalarList diameters
+        (
+            getNumbers(d, "diameters", validRange::diameter)
+        );
+        const scalarList fractions
+        (
+            getNumbers(d, "massFractions", "[0, 1e30]")
+        );
         sizes = checked
         (
             d,
@@ -180,7 +187,7 @@ void Foam::solidParticles::readGroups()
     }
     else
     {
-        solidEntries::allow
+        refuseOthers
         (
             d, {"type", "radius", "deviation", "weighting", "classes"}
         );
@@ -188,9 +195,9 @@ void Foam::solidParticles::readGroups()
         (
             getWordOf(d, "weighting", "", {"number", "mass"})
         );
-        const scalar radius = d.get<scalar>("radius");
-        const scalar deviation = d.get<scalar>("deviation");
-        const label classes = d.get<label>("classes");
+        const scalar radius = getNumber(d, "radius", validRange::diameter);
+        const scalar deviation = getNumber(d, "deviation", "(1, 100]");
+        const label classes = getNumber<label>(d, "classes", "[1, 100]");
         sizes = checked
         (
             d,
@@ -218,12 +225,12 @@ void Foam::solidParticles::readExchange()
 {
     typedef impact::solidExchange law;
     const dictionary& material = properties_.subDict("material");
-    solidEntries::allow(material, {"density", "specificHeat"});
+    refuseOthers(material, {"density", "specificHeat"});
     const law::material m =
     {
-        solidEntries::positive(material, "density", "[kg/m^3]"),
-        solidEntries::positive(material, "specificHeat", "[J/(kg K)]"),
-        properties_.get<scalar>("accommodation")
+        getNumber(material, "density", validRange::density),
+        getNumber(material, "specificHeat", "(0, 1e9) J/(kg K)"),
+        getNumber(properties_, "accommodation", validRange::share)
     };
     const word mode
     (
@@ -737,11 +744,13 @@ Foam::autoPtr<Foam::solidParticles> Foam::solidParticles::New
         IOobject::NO_WRITE,
         false
     );
-    return autoPtr<solidParticles>
-    (
-        file.typeHeaderOk<IOdictionary>(true)
-      ? new solidParticles(mesh, cells, gas) : nullptr
-    );
+    if (!isPresent<IOdictionary>(file))
+    {
+        Info<< "Solid particles: none (there is no file"
+            << " constant/solidParticleProperties)" << nl << endl;
+        return autoPtr<solidParticles>();
+    }
+    return autoPtr<solidParticles>(new solidParticles(mesh, cells, gas));
 }
 
 
@@ -780,7 +789,10 @@ Foam::solidParticles::solidParticles
     seed_(0),
     particles_(cells),
     nHolding_(0),
-    reportEvery_(properties_.getOrDefault<label>("reportEvery", 10)),
+    reportEvery_
+    (
+        getNumber<label>(properties_, "reportEvery", validRange::count, 10)
+    ),
     hits_(0),
     nLostBefore_(0),
     deposits_(mesh.boundaryMesh().size()),
@@ -791,7 +803,7 @@ Foam::solidParticles::solidParticles
     exchangeTime_(0),
     warnedOfLight_(false)
 {
-    solidEntries::allow
+    refuseOthers
     (
         properties_,
         {
@@ -800,20 +812,7 @@ Foam::solidParticles::solidParticles
             "interface", "reportEvery", "randomSeed"
         }
     );
-    if (reportEvery_ < 1)
-    {
-        FatalIOErrorInFunction(properties_)
-            << "Entry reportEvery is " << reportEvery_ << nl
-            << "Valid range: reportEvery >= 1 [steps]" << exit(FatalIOError);
-    }
-    const label seed = properties_.getOrDefault<label>("randomSeed", 1);
-    if (seed < 0)
-    {
-        FatalIOErrorInFunction(properties_)
-            << "Entry randomSeed is " << seed << nl
-            << "Valid range: randomSeed >= 0" << exit(FatalIOError);
-    }
-    seed_ = seed;
+    seed_ = getNumber<label>(properties_, "randomSeed", validRange::seed, 1);
 
     Info<< "Solid particles" << nl;
     readGroups();

@@ -3,7 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "solidWalls.H"
-#include "solidEntries.H"
+#include "checked.H"
 #include "wallPolyPatch.H"
 #include "wordRes.H"
 
@@ -26,7 +26,8 @@ Foam::solidWalls::solidWalls(const dictionary& dict, const polyMesh& mesh)
         }
     }
 
-    const dictionary own = dict.subOrEmptyDict("walls");
+    const dictionary* block = findBlock(dict, "walls");
+    const dictionary own(block ? *block : dictionary());
     List<const dictionary*> settings(patches.size(), nullptr);
     for (const bool names : {false, true})
     {
@@ -52,10 +53,7 @@ Foam::solidWalls::solidWalls(const dictionary& dict, const polyMesh& mesh)
             }
             if (!found)
             {
-                FatalIOErrorInFunction(own)
-                    << "Entry " << e.keyword() << " matches no wall" << nl
-                    << "Valid patches: " << flatOutput(walls)
-                    << exit(FatalIOError);
+                unknownWord(own, "wall", e.keyword(), walls);
             }
         }
     }
@@ -88,7 +86,7 @@ Foam::solidWalls::solidWalls(const dictionary& dict, const polyMesh& mesh)
         }
         else
         {
-            solidEntries::allow(d, {"type"});
+            refuseOthers(d, {"type"});
         }
     }
 }

@@ -3,10 +3,12 @@
 \*---------------------------------------------------------------------------*/
 
 #include "SpinningCloud.H"
+#include "checked.H"
 #include "GravityForce.H"
 #include "HendersonDragForce.H"
 #include "MagnusForce.H"
 #include "NoDispersion.H"
+#include "stockCloudEntries.H"
 #include "withheldOutput.H"
 
 #include <stdexcept>
@@ -17,43 +19,45 @@ template<class CloudType>
 void Foam::SpinningCloud<CloudType>::setModels()
 {
     const dictionary& solution = this->solution().dict();
+    stockCloudEntries::checkSolution
+    (
+        solution, {"rotation", "motion", "collisions"}
+    );
+    stockCloudEntries::checkProperties
+    (
+        this->particleProperties().subDict("constantProperties"), {"omega0"}
+    );
+    stockCloudEntries::checkModels
+    (
+        this->subModelProperties(), {"rotationalTorqueModel"}
+    );
     rotation_ = solution.lookupOrDefault<Switch>("rotation", true);
     torque_ = rotationalTorqueModel::New(this->subModelProperties());
 
+    const wordList motions{"stock", "embeddedRK54"};
     const dictionary* coeffs = solution.findDict("motion");
+    if (coeffs)
+    {
+        refuseOthers(*coeffs, {"type", "tolerance"});
+    }
     const word motion
     (
         coeffs
-      ? coeffs->get<word>("type")
-      : solution.lookupOrDefault<word>("motion", "stock")
+      ? getWordOf(*coeffs, "type", "", motions)
+      : getWord(solution, "motion", motions)
     );
 
     if (motion == "embeddedRK54")
     {
         const scalar tolerance =
-            coeffs ? coeffs->lookupOrDefault<scalar>("tolerance", 1e-5) : 1e-5;
-        try
-        {
-            embedded_.reset(new impact::particleMotion(tolerance));
-        }
-        catch (const std::invalid_argument&)
-        {
-            FatalIOErrorInFunction(*coeffs)
-                << "Entry 'tolerance', value " << tolerance
-                << ", is outside the valid range [1e-14, 0.1]"
-                << exit(FatalIOError);
-        }
+            coeffs
+          ? getNumber(*coeffs, "tolerance", "[1e-14, 0.1]", scalar(1e-5))
+          : 1e-5;
+        embedded_.reset(new impact::particleMotion(tolerance));
         checkEmbedded();
         gas_.reset(new parcelGas(this->mesh()));
         Info<< "Selecting parcel motion embeddedRK54, tolerance " << tolerance
             << endl;
-    }
-    else if (motion != "stock")
-    {
-        FatalIOErrorInFunction(coeffs ? *coeffs : solution)
-            << "Entry '" << (coeffs ? "motion/type" : "motion") << "', value "
-            << motion << ", is outside the valid range (stock embeddedRK54)"
-            << exit(FatalIOError);
     }
 
     Info<< "Parcels of " << label(sizeof(parcelType)) << " bytes" << endl;
@@ -86,11 +90,12 @@ void Foam::SpinningCloud<CloudType>::setCollisions()
 {
     const dictionary& solution = this->solution().dict();
     const dictionary* coeffs = solution.findDict("collisions");
+    const wordList types{"off", "eventDriven"};
     const word type
     (
         coeffs
-      ? coeffs->get<word>("type")
-      : solution.lookupOrDefault<word>("collisions", "off")
+      ? getWordOf(*coeffs, "type", "", types)
+      : getWord(solution, "collisions", types)
     );
     if (type == "eventDriven")
     {
@@ -102,14 +107,6 @@ void Foam::SpinningCloud<CloudType>::setCollisions()
                 coeffs ? *coeffs : dictionary(solution, dictionary())
             )
         );
-    }
-    else if (type != "off")
-    {
-        FatalIOErrorInFunction(coeffs ? *coeffs : solution)
-            << "Entry '" << (coeffs ? "collisions/type" : "collisions")
-            << "', value " << type
-            << ", is outside the valid range (off eventDriven)"
-            << exit(FatalIOError);
     }
 }
 
@@ -124,33 +121,33 @@ void Foam::SpinningCloud<CloudType>::checkEmbedded() const
         const word scheme(e.stream());
         if (scheme != "cellPoint")
         {
-            FatalIOErrorInFunction(schemes)
-                << "Entry '" << e.keyword() << "', value " << scheme
-                << ", is outside the valid range (cellPoint) of motion"
-                << " embeddedRK54, which needs the field that is linear in"
-                << " each tetrahedron" << exit(FatalIOError);
+            refuse
+            (
+                schemes, e.keyword(), scheme, "cellPoint with motion"
+                " embeddedRK54, which needs the field that is linear in each"
+                " tetrahedron"
+            );
         }
     }
     if (this->solution().cellValueSourceCorrection())
     {
-        FatalIOErrorInFunction(solution)
-            << "Entry 'cellValueSourceCorrection', value on, is outside the"
-            << " valid range (off) of motion embeddedRK54"
-            << exit(FatalIOError);
+        refuse
+        (
+            solution, "cellValueSourceCorrection", "on",
+            "off with motion embeddedRK54"
+        );
     }
     if (!isA<NoDispersion<kinematicCloudType>>(this->dispersion()))
     {
-        FatalIOErrorInFunction(this->subModelProperties())
-            << "Entry 'dispersionModel', value "
-            << this->dispersion().modelType()
-            << ", is outside the valid range (none) of motion embeddedRK54"
-            << exit(FatalIOError);
+        refuse
+        (
+            this->subModelProperties(), "dispersionModel",
+            this->dispersion().modelType(), "none with motion embeddedRK54"
+        );
     }
     if (this->mesh().dynamic())
     {
-        FatalIOErrorInFunction(solution)
-            << "Entry 'motion', value embeddedRK54, is outside the valid range"
-            << " (stock) of a moving mesh" << exit(FatalIOError);
+        refuse(solution, "motion", "embeddedRK54", "stock on a moving mesh");
     }
 }
 

@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "SpinningParcel.H"
+#include "checked.H"
 #include "forceSuSp.H"
 #include "meshTools.H"
 
@@ -25,8 +26,11 @@ Foam::SpinningParcel<ParcelType>::constantProperties::constantProperties
     ParcelType::constantProperties(parentDict),
     omega0_
     (
-        parentDict.subDict("constantProperties").template
-            lookupOrDefault<vector>("omega0", Zero)
+        getComponents
+        (
+            parentDict.subDict("constantProperties"), "omega0",
+            validRange::spin, vector(Zero)
+        )
     )
 {}
 

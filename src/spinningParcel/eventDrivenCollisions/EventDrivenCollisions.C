@@ -5,6 +5,7 @@
 #include "EventDrivenCollisions.H"
 #include "NoDispersion.H"
 #include "checked.H"
+#include "wedgePolyPatch.H"
 #include "coupledPolyPatch.H"
 #include "cyclicAMIPolyPatch.H"
 #include "meshTools.H"
@@ -54,11 +55,12 @@ impact::collisionDomain Foam::EventDrivenCollisions<CloudType>::domain
     reduce(valid, andOp<bool>());
     if (!valid)
     {
-        FatalIOErrorInFunction(dict)
-            << "Entry 'collisions', value eventDriven, is outside the valid"
-            << " range (off) of a mesh with cyclic patches other than pairs"
-            << " of planes normal to a coordinate axis at the ends of the"
-            << " domain" << exit(FatalIOError);
+        refuse
+        (
+            dict, "collisions", "eventDriven", "off on a mesh with cyclic"
+            " patches other than pairs of planes normal to a coordinate axis"
+            " at the ends of the domain"
+        );
     }
 
     impact::collisionDomain domain;
@@ -75,49 +77,88 @@ impact::collisionDomain Foam::EventDrivenCollisions<CloudType>::domain
 template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::checkCloud() const
 {
-    const auto refuse = [&](const char* entry, const word& value,
-        const char* range)
-    {
-        FatalIOErrorInFunction(dict_)
-            << "Entry '" << entry << "', value " << value
-            << ", is outside the valid range " << range
-            << " of collisions eventDriven" << exit(FatalIOError);
-    };
+    const auto refuseHere =
+        [&](const char* entry, const word& value, const char* range)
+        {
+            refuse
+            (
+                dict_, entry, value, range, " with collisions eventDriven"
+            );
+        };
     if
     (
         !isA<NoDispersion<typename CloudType::kinematicCloudType>>
             (cloud_.dispersion())
     )
     {
-        refuse("dispersionModel", cloud_.dispersion().modelType(), "(none)");
+        refuseHere("dispersionModel", cloud_.dispersion().modelType(), "none");
     }
     if (cloud_.solution().cellValueSourceCorrection())
     {
-        refuse("cellValueSourceCorrection", "on", "(off)");
+        refuseHere("cellValueSourceCorrection", "on", "off");
     }
     if (cloud_.solution().steadyState())
     {
-        refuse("transient", "no", "(yes)");
+        refuseHere("transient", "no", "yes");
     }
     if (cloud_.mesh().dynamic())
     {
-        refuse("collisions", "eventDriven", "(off, on a moving mesh)");
+        refuseHere("collisions", "eventDriven", "off on a moving mesh");
     }
     const label n = cloud_.mesh().nGeometricD();
     if (dimension_ != n || n < 2)
     {
-        FatalIOErrorInFunction(dict_)
-            << "Entry 'dimension', value " << dimension_
-            << ", is outside the valid range of this mesh, which has " << n
-            << " dimensions. A thin three-dimensional slab needs a mesh of"
-            << " that thickness between cyclic patches"
-            << exit(FatalIOError);
+        refuse
+        (
+            dict_, "dimension", dimension_, "2 or 3, that of this mesh: ", n,
+            ". A thin three-dimensional slab needs a mesh of that thickness"
+            " between cyclic patches"
+        );
     }
-    if (!(slabThickness_ > 0))
+
+    if (dimension_ == 2)
     {
-        FatalIOErrorInFunction(dict_)
-            << "Entry 'slabThickness', value " << slabThickness_
-            << ", is outside the valid range (0, inf)" << exit(FatalIOError);
+        checkThickness();
+    }
+}
+
+
+template<class CloudType>
+void Foam::EventDrivenCollisions<CloudType>::checkThickness() const
+{
+    // The number of real particles of a parcel refers to one thickness, and
+    // parcels meet as circles in a plane: in a wedge neither holds
+    const polyMesh& mesh = cloud_.mesh();
+    bool even = true;
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        even = even && !isA<wedgePolyPatch>(patch);
+    }
+    const boundBox& box = mesh.bounds();
+    for (direction k = 0; k < 3; ++k)
+    {
+        if (mesh.geometricD()[k] != 1)
+        {
+            const scalar tolerance = 1e-6*box.span()[k];
+            for (const point& p : mesh.points())
+            {
+                even =
+                    even
+                 && (
+                        p[k] - box.min()[k] < tolerance
+                     || box.max()[k] - p[k] < tolerance
+                    );
+            }
+        }
+    }
+    if (!returnReduce(even, andOp<bool>()))
+    {
+        refuse
+        (
+            dict_, "collisions", "eventDriven", "off on a wedge or another"
+            " mesh of varying thickness. Collisions need a plane mesh of one"
+            " thickness or three dimensions"
+        );
     }
 }
 
@@ -689,10 +730,19 @@ Foam::EventDrivenCollisions<CloudType>::EventDrivenCollisions
             {
                 return impact::pairLaw
                 (
-                    dict.lookupOrDefault<scalar>("restitution", 0.9),
-                    dict.lookupOrDefault<scalar>("friction", 0.2),
+                    getNumber
+                    (
+                        dict, "restitution", validRange::share, scalar(0.9)
+                    ),
+                    getNumber
+                    (
+                        dict, "friction", validRange::friction, scalar(0.2)
+                    ),
                     cloud.rotation(),
-                    dict.lookupOrDefault<scalar>("tangentialRestitution", 0)
+                    getNumber
+                    (
+                        dict, "tangentialRestitution", "[-1, 1]", scalar(0)
+                    )
                 );
             }
         )
@@ -700,22 +750,9 @@ Foam::EventDrivenCollisions<CloudType>::EventDrivenCollisions
     restingLaw_(0, law_.friction(), law_.spin(), law_.tangentialRestitution()),
     duration_
     (
-        checked
+        getNumber
         (
-            dict,
-            [&]
-            {
-                const scalar t =
-                    dict.lookupOrDefault<scalar>("contactDuration", 1e-9);
-                if (t == 0)
-                {
-                    throw std::invalid_argument
-                    (
-                        "contactDuration 0: valid range (0, inf)"
-                    );
-                }
-                return impact::contactDuration(t);
-            }
+            dict, "contactDuration", validRange::duration, scalar(1e-9)
         )
     ),
     dimension_
@@ -747,7 +784,17 @@ Foam::EventDrivenCollisions<CloudType>::EventDrivenCollisions
             slabThickness_ = mesh.bounds().span()[k];
         }
     }
-    dict.readIfPresent("slabThickness", slabThickness_);
+    refuseOthers
+    (
+        dict,
+        {
+            "type", "restitution", "friction", "tangentialRestitution",
+            "contactDuration", "dimension", "slabThickness",
+            "overlappingInjection"
+        }
+    );
+    slabThickness_ =
+        getNumber(dict, "slabThickness", validRange::length, slabThickness_);
     checkCloud();
     setPasses();
 

@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "rotationalTorqueModel.H"
+#include "checked.H"
 #include "addToRunTimeSelectionTable.H"
 #include "rotationalTorque.H"
 
@@ -140,21 +141,15 @@ Foam::autoPtr<Foam::rotationalTorqueModel> Foam::rotationalTorqueModel::New
 {
     const word type
     (
-        dict.lookupOrDefault<word>
+        getWordOf
         (
+            dict,
             "rotationalTorqueModel",
-            rotationalTorqueModels::standardTorque::typeName
+            rotationalTorqueModels::standardTorque::typeName,
+            dictionaryConstructorTablePtr_->sortedToc()
         )
     );
     auto constructor = dictionaryConstructorTablePtr_->cfind(type);
-    if (!constructor.found())
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry 'rotationalTorqueModel', value " << type
-            << ", is outside the valid range "
-            << dictionaryConstructorTablePtr_->sortedToc()
-            << exit(FatalIOError);
-    }
     Info<< "Selecting rotational torque model " << type << endl;
     return constructor()(dict);
 }

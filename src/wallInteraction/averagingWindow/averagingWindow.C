@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "averagingWindow.H"
+#include "checked.H"
 
 Foam::averagingWindow::averagingWindow
 (
@@ -16,31 +17,28 @@ Foam::averagingWindow::averagingWindow
     start_(-GREAT),
     end_(GREAT)
 {
-    const dictionary* window = dict.findDict("window");
+    const dictionary* window = findBlock(dict, "window");
     if (!window)
     {
         return;
     }
-    window->readIfPresent("start", start_);
-    window->readIfPresent("end", end_);
+    refuseOthers(*window, {"start", "end"});
+    start_ = getNumber(*window, "start", validRange::time, start_);
+    end_ = getNumber(*window, "end", validRange::time, end_);
 
     if (!(end_ > start_))
     {
-        FatalIOErrorInFunction(*window)
-            << functionName << ": entry 'end', value " << end_
-            << ", is outside the valid range (" << start_
-            << ", infinity): the window from 'start' to 'end' is empty"
-            << exit(FatalIOError);
+        refuse(*window, "end", end_, "greater than start, ", start_);
     }
 
     if (end_ < time.value() + 0.5*time.deltaTValue() && !continued)
     {
-        FatalIOErrorInFunction(*window)
-            << functionName << ": entry 'end', value " << end_
-            << ", is outside the valid range (" << time.value()
-            << ", infinity): the run begins at " << time.value()
-            << ", and of an earlier part of it no averages were kept"
-            << exit(FatalIOError);
+        refuse
+        (
+            *window, "end", end_, "greater than the time at which the run"
+            " begins, ", time.value(), ": of an earlier part no averages were"
+            " kept"
+        );
     }
 
     if (start_ >= time.endTime().value())

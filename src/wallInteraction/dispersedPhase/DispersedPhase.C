@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "DispersedPhase.H"
+#include "checked.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -19,11 +20,12 @@ Foam::DispersedPhase<CloudType>::DispersedPhase
 {
     if (!owner.solution().transient())
     {
-        FatalIOErrorInFunction(owner.solution().dict())
-            << typeName << " needs a cloud tracked in time: entry"
-            << " 'transient', value no, is outside the valid range (yes)"
-            << exit(FatalIOError);
+        refuse
+        (
+            owner.solution().dict(), "transient", "no", "yes, for ", typeName
+        );
     }
+    refuseOthers(this->coeffDict(), {"type", "window", "interval", "restart"});
     fields_.reset
     (
         new dispersedPhaseFields

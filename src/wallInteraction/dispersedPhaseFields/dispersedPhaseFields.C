@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "dispersedPhaseFields.H"
+#include "checked.H"
 #include "PstreamReduceOps.H"
 #include "zeroGradientFvPatchFields.H"
 
@@ -156,22 +157,14 @@ Foam::dispersedPhaseFields::dispersedPhaseFields
     mesh_(mesh),
     spin_(spin),
     width_(spin ? OMEGA + 3 : OMEGA),
-    restart_(cloudName, functionName, mesh),
+    restart_(cloudName, functionName, mesh, dict),
     window_(dict, functionName, mesh.time(), restart_.found()),
-    interval_(dict.lookupOrDefault<label>("interval", 1)),
+    interval_(getNumber<label>(dict, "interval", validRange::count, 1)),
     time_(0),
     dt_(0),
     sums_(mesh.nCells()*width_, 0.0),
     fields_()
 {
-    if (interval_ < 1)
-    {
-        FatalIOErrorInFunction(dict)
-            << functionName << ": entry 'interval', value " << interval_
-            << ", is outside the valid range [1, infinity)"
-            << exit(FatalIOError);
-    }
-
     if (restart_.found())
     {
         time_ = restart_.scalars()[0];

@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "ImpactFunction.H"
+#include "checked.H"
 #include "impactMeasures.H"
 #include "impactPatches.H"
 #include "impactTime.H"
@@ -37,11 +38,9 @@ Foam::ImpactFunction<CloudType, Recorder>::ImpactFunction
 {
     if (!owner.solution().transient())
     {
-        FatalIOErrorInFunction(owner.solution().dict())
-            << type << " needs a cloud tracked in time: entry"
-            << " 'transient', value no, is outside the valid range (yes)"
-            << exit(FatalIOError);
+        refuse(owner.solution().dict(), "transient", "no", "yes, for ", type);
     }
+    refuseOthers(this->coeffDict(), Recorder::entries());
     recorder_.reset
     (
         new Recorder

@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "impactPatches.H"
+#include "checked.H"
 #include "wordRes.H"
 
 Foam::boolList Foam::impactPatches::read
@@ -42,17 +43,15 @@ Foam::boolList Foam::impactPatches::read
         }
         if (!found)
         {
-            FatalIOErrorInFunction(dict)
-                << functionName << ": entry 'patches', value " << name
-                << ", is outside the valid range of patches " << valid
-                << exit(FatalIOError);
+            unknownWord(dict, "patches", name, valid);
         }
     }
     if (names.empty())
     {
-        FatalIOErrorInFunction(dict)
-            << functionName << ": entry 'patches', value (), needs at least"
-            << " one of the patches " << valid << exit(FatalIOError);
+        refuse
+        (
+            dict, "patches", "()", "at least one of ", listed(valid).c_str()
+        );
     }
     return selected;
 }

@@ -160,7 +160,8 @@ Foam::JkrAdhesion<CloudType>::JkrAdhesion
         {
             "rebounded", "hits on adhered particles",
             "detached particles", "detached mass", "energy of the detached"
-        }
+        },
+        {"seed", "sizeClasses"}
     ),
     walls_(),
     wallOf_(this->patches().size(), -1),
@@ -174,9 +175,10 @@ Foam::JkrAdhesion<CloudType>::JkrAdhesion
             {
                 const scalarList bounds
                 (
-                    this->coeffDict().template getOrDefault<scalarList>
+                    getList
                     (
-                        "sizeClasses", scalarList()
+                        this->coeffDict(), "sizeClasses",
+                        validRange::diameter, scalarList()
                     )
                 );
                 return std::vector<double>(bounds.begin(), bounds.end());
@@ -188,9 +190,10 @@ Foam::JkrAdhesion<CloudType>::JkrAdhesion
 {
     if (!owner.solution().transient())
     {
-        FatalIOErrorInFunction(owner.solution().dict())
-            << typeName << ": entry transient no: a layer grows in time; valid"
-            << " range (yes)" << exit(FatalIOError);
+        refuse
+        (
+            owner.solution().dict(), "transient", "no", "yes, for ", typeName
+        );
     }
     const fileName casePath(owner.db().time().globalPath());
     forAll(wallOf_, i)

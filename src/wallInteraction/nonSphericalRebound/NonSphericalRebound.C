@@ -70,6 +70,15 @@ Foam::NonSphericalRebound<CloudType>::readWall
     const label setting
 ) const
 {
+    refuseOthers
+    (
+        dict,
+        {
+            "type", "shape", "wall", "law", "orientation", "maxImpacts",
+            "method", "lay", "layDirection", "table", "incidenceRange",
+            "diameterTolerance"
+        }
+    );
     const fileName casePath(this->owner().db().time().globalPath());
     impact::wallEncounter setup;
     scatteringEntries::read(dict, casePath, setup);
@@ -94,13 +103,13 @@ Foam::NonSphericalRebound<CloudType>::readWall
       : lay == "acrossFlow" ? layType::acrossFlow : layType::fixed;
     if (wall.lay == layType::fixed)
     {
-        wall.layDirection = dict.get<vector>("layDirection");
-        if (mag(wall.layDirection) < VSMALL)
+        wall.layDirection = getComponents(dict, "layDirection", "[-1e6, 1e6]");
+        if (mag(wall.layDirection) < 1e-6)
         {
-            FatalIOErrorInFunction(dict)
-                << "layDirection " << wall.layDirection
-                << ": valid range: any vector but zero"
-                << exit(FatalIOError);
+            refuse
+            (
+                dict, "layDirection", wall.layDirection, "any vector but zero"
+            );
         }
     }
     if (setup.wall)
@@ -131,28 +140,29 @@ Foam::NonSphericalRebound<CloudType>::readWall
     (
         dict.get<Tuple2<scalar, scalar>>("incidenceRange")
     );
-    if (!(range.first() > 0 && range.first() <= range.second()))
+    if
+    (
+        !(
+            range.first() > 0 && range.first() <= range.second()
+         && range.second() <= 90
+        )
+    )
     {
-        FatalIOErrorInFunction(dict)
-            << "incidenceRange " << range
-            << ": valid range 0 < lowest <= highest (degrees)"
-            << exit(FatalIOError);
+        refuse
+        (
+            dict, "incidenceRange", range, "0 < lowest <= highest <= 90 deg"
+        );
     }
     if (wall.lay != layType::acrossMotion && wall.sized)
     {
-        FatalIOErrorInFunction(dict)
-            << "lay " << lay << ": a table was sampled with the relief lying"
-            << " across the motion; another lay needs method direct"
-            << exit(FatalIOError);
+        refuse
+        (
+            dict, "lay", lay, "acrossMotion with a table, which was sampled"
+            " so; another lay needs method direct"
+        );
     }
     wall.diameterTolerance =
-        dict.getOrDefault<scalar>("diameterTolerance", 0.01);
-    if (!(wall.diameterTolerance > 0 && wall.diameterTolerance < 1))
-    {
-        FatalIOErrorInFunction(dict)
-            << "diameterTolerance " << wall.diameterTolerance
-            << ": valid range (0, 1)" << exit(FatalIOError);
-    }
+        getNumber(dict, "diameterTolerance", "(0, 1)", scalar(0.01));
     checked
     (
         dict,
@@ -224,7 +234,8 @@ Foam::NonSphericalRebound<CloudType>::NonSphericalRebound
         {
             "pulling impacts", "energy-gaining impacts", "capped",
             "incidence raised or held"
-        }
+        },
+        {"seed"}
     ),
     walls_(),
     wallOf_(this->patches().size(), -1),

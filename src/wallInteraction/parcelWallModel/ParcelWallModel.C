@@ -218,6 +218,36 @@ void Foam::ParcelWallModel<CloudType>::lift(parcelType& p) const
 
 
 template<class CloudType>
+void Foam::ParcelWallModel<CloudType>::compareWithLastRun()
+{
+    // Of one model to a cloud; those within multiInteraction each
+    const string settings
+    (
+        this->modelType() + " " + this->coeffDict().digest().str()
+    );
+    const word entry("settings");
+    string before;
+    if (nested_)
+    {
+        this->getModelProperty(entry, before);
+        this->setModelProperty(entry, settings);
+    }
+    else
+    {
+        this->getBaseProperty(entry, before);
+        this->setBaseProperty(entry, settings);
+    }
+    if (!before.empty() && before != settings)
+    {
+        Info<< "    The settings of the wall model are not those of the run"
+            << " before (" << before.substr(0, before.find(' ')).c_str()
+            << " then): counters and averages go on. Averages begin anew with"
+            << " the entry 'restart anew;' of their function" << endl;
+    }
+}
+
+
+template<class CloudType>
 void Foam::ParcelWallModel<CloudType>::startReport()
 {
     auto& functions = this->owner().functions();
@@ -240,7 +270,8 @@ Foam::ParcelWallModel<CloudType>::ParcelWallModel
     const dictionary& dict,
     CloudType& owner,
     const word& type,
-    const List<string>& specials
+    const List<string>& specials,
+    const wordList& entries
 )
 :
     PatchInteractionModel<CloudType>(dict, owner, type),
@@ -263,13 +294,21 @@ Foam::ParcelWallModel<CloudType>::ParcelWallModel
     reduced_(owner.pMesh().nSolutionD() < 3),
     keepSpeed_
     (
-        getWordOf
+        getWord
         (
-            this->coeffDict(), "reducedDimensions", "project",
-            {"project", "keepSpeed"}
+            this->coeffDict(), "reducedDimensions", {"project", "keepSpeed"}
         ) == "keepSpeed"
     )
 {
+    // Beside those of the stock model: writeToFile and its like
+    wordList valid
+    {
+        "patches", "reducedDimensions", "U", "writeToFile", "writePrecision",
+        "useUserTime", "type"
+    };
+    valid.append(entries);
+    refuseOthers(this->coeffDict(), valid);
+
     forAll(fates_, i)
     {
         const word fate
@@ -283,6 +322,10 @@ Foam::ParcelWallModel<CloudType>::ParcelWallModel
         fates_[i] =
             fate == "rebound" ? fateType::rebound
           : fate == "escape" ? fateType::escape : fateType::capture;
+        if (fates_[i] != fateType::rebound)
+        {
+            refuseOthers(patches_[i], {"type"});
+        }
     }
     forAll(patches_.ofPatch(), patchi)
     {
@@ -306,10 +349,11 @@ Foam::ParcelWallModel<CloudType>::ParcelWallModel
         );
         if (!other.empty())
         {
-            FatalIOErrorInFunction(this->coeffDict())
-                << type << ": entry 'patches', patch " << patch
-                << " is that of another model of this cloud already, "
-                << other << "; one law to a patch" << exit(FatalIOError);
+            refuse
+            (
+                this->coeffDict(), "patches", patch, "one law to a patch, this"
+                " one has that of ", other
+            );
         }
         if (fates_[i] != fateType::escape)
         {
@@ -320,6 +364,7 @@ Foam::ParcelWallModel<CloudType>::ParcelWallModel
     {
         startReport();
     }
+    compareWithLastRun();
 }
 
 

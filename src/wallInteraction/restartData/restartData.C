@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "restartData.H"
+#include "checked.H"
 #include "Pstream.H"
 #include "Time.H"
 #include "cloud.H"
@@ -17,7 +18,8 @@ Foam::restartData::restartData
 (
     const word& cloudName,
     const word& functionName,
-    const polyMesh& mesh
+    const polyMesh& mesh,
+    const dictionary& dict
 )
 :
     regIOobject
@@ -45,7 +47,15 @@ Foam::restartData::restartData
     }
     close();
 
-    found_ = here;
+    const bool anew =
+        getWord(dict, "restart", {"continue", "anew"}) == "anew";
+    if (here && anew)
+    {
+        clear();
+        Info<< functionName << ": averages of an earlier part of the run are"
+            << " left behind (restart anew)" << endl;
+    }
+    found_ = here && !anew;
     Pstream::scatter(found_);
     Pstream::scatter(labels_);
     Pstream::scatter(scalars_);

@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "surfaceImpactStatistics.H"
+#include "checked.H"
 #include "PstreamReduceOps.H"
 #include "impactMeasures.H"
 
@@ -41,92 +42,125 @@ void Foam::surfaceImpactStatistics::setPatches(const boolList& selected)
 
 void Foam::surfaceImpactStatistics::setAngle()
 {
-    const dictionary* axis = dict_.findDict("axis");
+    const dictionary* axis = findBlock(dict_, "axis");
     if (!axis)
     {
         return;
     }
-    try
+    refuseOthers(*axis, {"origin", "direction", "from", "binWidth", "folded"});
+    const auto direction = [&](const word& entry)
     {
-        angle_.reset
-        (
-            new impact::angularBins
+        const vector v(getComponents(*axis, entry, "[-1e6, 1e6]"));
+        if (mag(v) < 1e-6)
+        {
+            refuse(*axis, entry, v, "any vector but zero");
+        }
+        return core(v);
+    };
+    checked
+    (
+        *axis,
+        [&]
+        {
+            angle_.reset
             (
-                core(axis->lookupOrDefault<point>("origin", Zero)),
-                core(axis->get<vector>("direction")),
-                core(axis->get<vector>("from")),
-                axis->lookupOrDefault<scalar>("binWidth", 1),
-                axis->lookupOrDefault<bool>("folded", true)
-            )
-        );
-    }
-    catch (const std::invalid_argument& e)
-    {
-        FatalIOErrorInFunction(*axis)
-            << functionName_ << ": entries 'direction', 'from', 'binWidth': "
-            << e.what() << exit(FatalIOError);
-    }
+                new impact::angularBins
+                (
+                    core
+                    (
+                        getComponents
+                        (
+                            *axis, "origin", validRange::coordinate,
+                            vector(Zero)
+                        )
+                    ),
+                    direction("direction"),
+                    direction("from"),
+                    getNumber(*axis, "binWidth", "[0.1, 90] deg", scalar(1)),
+                    axis->lookupOrDefault<bool>("folded", true)
+                )
+            );
+            return true;
+        }
+    );
 }
 
 
 void Foam::surfaceImpactStatistics::setErosion()
 {
-    const dictionary* erosion = dict_.findDict("erosion");
+    const dictionary* erosion = findBlock(dict_, "erosion");
     if (!erosion)
     {
         return;
     }
-    const word model(erosion->get<word>("model"));
-    try
+    const auto read = [&](const word& entry, const char* range, double& value)
     {
-        if (model == "Finnie")
-        {
-            erosion_.reset
-            (
-                new impact::erosionLaw
+        value = getNumber(*erosion, entry, range, scalar(value));
+    };
+    if (getWordOf(*erosion, "model", "", {"Finnie", "Oka"}) == "Finnie")
+    {
+        refuseOthers(*erosion, {"model", "p", "psi", "K"});
+        const double p = getNumber(*erosion, "p", validRange::modulus);
+        double psi = 2, K = 2;
+        read("psi", "(0, 100]", psi);
+        read("K", "(0, 100]", K);
+        checked
+        (
+            *erosion,
+            [&]
+            {
+                erosion_.reset
                 (
-                    impact::erosionLaw::finnie
+                    new impact::erosionLaw
                     (
-                        erosion->get<scalar>("p"),
-                        erosion->lookupOrDefault<scalar>("psi", 2),
-                        erosion->lookupOrDefault<scalar>("K", 2)
+                        impact::erosionLaw::finnie(p, psi, K)
                     )
-                )
-            );
+                );
+                return true;
+            }
+        );
+        return;
+    }
+
+    refuseOthers
+    (
+        *erosion,
+        {
+            "model", "hardness", "n1", "n2", "K", "k1", "k2", "k3",
+            "referenceSpeed", "referenceDiameter"
         }
-        else if (model == "Oka")
+    );
+    const char* const exponent = "[-10, 10]";
+    checked
+    (
+        *erosion,
+        [&]
         {
             impact::erosionLaw::okaConstants c
             (
-                erosion->get<scalar>("hardness")
+                getNumber
+                (
+                    *erosion, "hardness", "[1e-6, 1e3] GPa, a gel to diamond"
+                )
             );
-            erosion->readIfPresent("n1", c.n1);
-            erosion->readIfPresent("n2", c.n2);
-            erosion->readIfPresent("K", c.K);
-            erosion->readIfPresent("k1", c.k1);
-            erosion->readIfPresent("k2", c.k2);
-            erosion->readIfPresent("k3", c.k3);
-            erosion->readIfPresent("referenceSpeed", c.referenceSpeed);
-            erosion->readIfPresent("referenceDiameter", c.referenceDiameter);
+            read("n1", exponent, c.n1);
+            read("n2", exponent, c.n2);
+            read("K", "(0, 1e3] m3/kg, all of a wall lighter than air", c.K);
+            read("k1", exponent, c.k1);
+            read("k2", exponent, c.k2);
+            read("k3", exponent, c.k3);
+            read("referenceSpeed", "[1e-3, 1e6] m/s", c.referenceSpeed);
+            read
+            (
+                "referenceDiameter", validRange::diameter, c.referenceDiameter
+            );
             erosion_.reset
             (
                 new impact::erosionLaw(impact::erosionLaw::oka(c))
             );
+            return true;
         }
-    }
-    catch (const std::invalid_argument& e)
-    {
-        FatalIOErrorInFunction(*erosion)
-            << functionName_ << ": entry 'erosion', model " << model << ": "
-            << e.what() << exit(FatalIOError);
-    }
-    if (!erosion_)
-    {
-        FatalIOErrorInFunction(*erosion)
-            << functionName_ << ": entry 'model', value " << model
-            << ", is outside the valid range (Finnie Oka)"
-            << exit(FatalIOError);
-    }
+    );
 }
 
 
@@ -196,20 +230,14 @@ void Foam::surfaceImpactStatistics::setAreas()
 
 void Foam::surfaceImpactStatistics::setStop()
 {
-    const dictionary* dict = dict_.findDict("stopAtError");
+    const dictionary* dict = findBlock(dict_, "stopAtError");
     if (!dict)
     {
         return;
     }
     stop_.reset(new stopping);
-    stop_->target = dict->get<scalar>("target");
-    if (!(stop_->target > 0))
-    {
-        FatalIOErrorInFunction(*dict)
-            << functionName_ << ": entry 'target', value " << stop_->target
-            << ", is outside the valid range (0, infinity)"
-            << exit(FatalIOError);
-    }
+    refuseOthers(*dict, {"target", "bins", "quantities"});
+    stop_->target = getNumber(*dict, "target", "(0, 1e6]");
 
     DynamicList<label> items;
     const label nBins = angle_ ? angle_->size() : 0;
@@ -229,12 +257,12 @@ void Foam::surfaceImpactStatistics::setStop()
         }
         if (items.empty())
         {
-            FatalIOErrorInFunction(*dict)
-                << functionName_ << ": entry 'bins', value " << range
-                << ", holds no centre of a bin that has some of the patches'"
-                << " area; valid are angles (from to) in degrees, from "
-                << angle_->centre(0) << " to " << angle_->centre(nBins - 1)
-                << exit(FatalIOError);
+            refuse
+            (
+                *dict, "bins", range, "angles (from to) in degrees, from ",
+                angle_->centre(0), " to ", angle_->centre(nBins - 1),
+                ", with the centre of a bin that has some of the patches' area"
+            );
         }
     }
     else
@@ -242,9 +270,8 @@ void Foam::surfaceImpactStatistics::setStop()
         if (dict->found("bins"))
         {
             FatalIOErrorInFunction(*dict)
-                << functionName_ << ": entry 'bins' needs the entry 'axis':"
-                << " without it the error is that of the patches"
-                << exit(FatalIOError);
+                << "Entry bins needs the entry axis: without it the error is"
+                << " that of the patches" << exit(FatalIOError);
         }
         forAll(patches_, i)
         {
@@ -268,10 +295,7 @@ void Foam::surfaceImpactStatistics::setStop()
         const label i = valid.find(name);
         if (i < 0)
         {
-            FatalIOErrorInFunction(*dict)
-                << functionName_ << ": entry 'quantities', value " << name
-                << ", is outside the valid range " << valid
-                << exit(FatalIOError);
+            unknownWord(*dict, "quantities", name, valid);
         }
         quantities.append(i);
     }
@@ -297,7 +321,7 @@ Foam::surfaceImpactStatistics::surfaceImpactStatistics
     patches_(),
     firstFace_(),
     patchItem_(),
-    threshold_(dict.lookupOrDefault<scalar>("threshold", 1)),
+    threshold_(getNumber(dict, "threshold", "[0, 3e8) m/s", scalar(1))),
     angle_(),
     erosion_(),
     nearestBin_(),
@@ -305,7 +329,7 @@ Foam::surfaceImpactStatistics::surfaceImpactStatistics
     nQuantities_(0),
     bins_(),
     faces_(),
-    restart_(cloudName, functionName, mesh),
+    restart_(cloudName, functionName, mesh, dict),
     window_(dict, functionName, mesh.time(), restart_.found()),
     averaging_(false),
     firsts_(),
@@ -316,21 +340,7 @@ Foam::surfaceImpactStatistics::surfaceImpactStatistics
     nSlow_(0),
     fields_()
 {
-    if (!(threshold_ >= 0))
-    {
-        FatalIOErrorInFunction(dict)
-            << functionName << ": entry 'threshold', value " << threshold_
-            << ", is outside the valid range [0, infinity)"
-            << exit(FatalIOError);
-    }
-    const label blocks = dict.lookupOrDefault<label>("blocks", 10);
-    if (blocks < 10 || blocks > 1000)
-    {
-        FatalIOErrorInFunction(dict)
-            << functionName << ": entry 'blocks', value " << blocks
-            << ", is outside the valid range [10, 1000]"
-            << exit(FatalIOError);
-    }
+    const label blocks = getNumber<label>(dict, "blocks", "[10, 1000]", 10);
 
     setPatches(patches);
     setAngle();

@@ -153,9 +153,9 @@ void Foam::wallLayer::read(const dictionary& dict)
     if (!returnReduce(fits, andOp<bool>()))
     {
         FatalIOErrorInFunction(dict)
-            << "sizeClasses (" << state_.nClasses() << " classes): the layer"
-            << " of time " << mesh_.time().timeName() << ", "
-            << fieldName(0, 0) << " etc., was made with others; valid: those"
+            << "Entry sizeClasses (" << state_.nClasses() << " classes): valid"
+            << " range those of the layer of time "
+            << mesh_.time().timeName() << ", " << fieldName(0, 0) << " etc."
             << exit(FatalIOError);
     }
 }

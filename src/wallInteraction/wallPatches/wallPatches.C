@@ -3,7 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "wallPatches.H"
-#include "FlatOutput.H"
+#include "checked.H"
 #include "dictionaryEntry.H"
 
 Foam::wallPatches::wallPatches
@@ -50,40 +50,39 @@ Foam::wallPatches::wallPatches
             {
                 if (!name.isPattern() && name == patch.name())
                 {
-                    FatalIOErrorInFunction(dict)
-                        << model << ": entry 'patches', patch " << name
-                        << " is of type " << patch.type()
-                        << ", where nothing can rebound; valid patches: "
-                        << flatOutput(valid) << exit(FatalIOError);
+                    refuse
+                    (
+                        dict, "patches", name, listed(valid).c_str(),
+                        ": nothing can rebound from a patch of type ",
+                        patch.type()
+                    );
                 }
                 continue;
             }
             if (ofPatch_[patchi] != -1)
             {
-                FatalIOErrorInFunction(dict)
-                    << model << ": entry 'patches', patch " << patch.name()
-                    << " is matched twice, by item "
-                    << ofPatch_[patchi] + 1 << " and by item " << number + 1
-                    << " (" << name << "); one law to a patch"
-                    << exit(FatalIOError);
+                refuse
+                (
+                    dict, "patches", name, "one law to a patch: ",
+                    patch.name(), " is matched twice, by item ",
+                    ofPatch_[patchi] + 1, " and by item ", number + 1
+                );
             }
             ofPatch_[patchi] = number;
             found = true;
         }
         if (!found)
         {
-            FatalIOErrorInFunction(dict)
-                << model << ": entry 'patches', value " << name
-                << " matches none of the valid patches: "
-                << flatOutput(valid) << exit(FatalIOError);
+            unknownWord(dict, "patches", name, valid);
         }
         is.read(next);
     }
     if (settings_.empty())
     {
-        FatalIOErrorInFunction(dict)
-            << model << ": entry 'patches', value (), needs at least one of"
-            << " the patches " << flatOutput(valid) << exit(FatalIOError);
+        refuse
+        (
+            dict, "patches", "()", "at least one of ", listed(valid).c_str()
+        );
     }
 
     wordList missing;
@@ -101,8 +100,8 @@ Foam::wallPatches::wallPatches
     if (complete && !missing.empty())
     {
         FatalIOErrorInFunction(dict)
-            << model << ": entry 'patches' lacks the patches "
-            << flatOutput(missing) << ": what happens there? Give them the"
+            << "Entry patches of " << model << " lacks the patches "
+            << listed(missing).c_str() << ": what happens there? Give them the"
             << " law or one of 'type escape;' and 'type capture;', or use the"
             << " model within multiInteraction" << exit(FatalIOError);
     }
