@@ -5,6 +5,7 @@
 #include "jkrImpactOutput.H"
 
 #include "OFstream.H"
+#include "finishFile.H"
 #include "OSspecific.H"
 
 #include <stdexcept>
@@ -49,12 +50,16 @@ public:
     {
         if (!os_.good())
         {
-            FatalErrorInFunction
-                << "Cannot write " << name << exit(FatalError);
+            failedFile(name, errno);
         }
         os_.precision(12);
         put(header);
         os_ << nl;
+    }
+
+    ~csvFile()
+    {
+        finishFile(os_);
     }
 
     template<class First, class... Rest>
@@ -255,20 +260,12 @@ void writeChain
     thresholds(event::secondDetaches, detaches, "V_detachP2");
 }
 
-} // End anonymous namespace
-
-
-void Foam::writeJkrImpact
-(
-    const fileName& folder,
-    const jkrImpactSetup& setup
-)
+void writeAll(const fileName& folder, const jkrImpactSetup& setup)
 {
     const impact::jkrContact& contact = setup.contact;
     const impact::dissipationLaw& law = setup.law;
     const scalar v = contact.separationSpeed();
 
-    // Results of an earlier run with more speeds would be mixed with these
     rmDir(folder, true);
     mkDir(folder);
     writeCurve(folder, contact);
@@ -444,4 +441,21 @@ void Foam::writeJkrImpact
     {
         writeChain(folder, setup, summary);
     }
+}
+
+} // End anonymous namespace
+
+
+void Foam::writeJkrImpact
+(
+    const fileName& folder,
+    const jkrImpactSetup& setup
+)
+{
+    // Beside the results of an earlier run, whose place they take when all
+    // are there
+    const fileName unfinished(folder + ".unfinished");
+    writeAll(unfinished, setup);
+    rmDir(folder, true);
+    mv(unfinished, folder);
 }

@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "impactLog.H"
+#include "finishFile.H"
 #include "OSspecific.H"
 #include "Pstream.H"
 #include "functionObject.H"
@@ -196,5 +197,5 @@ void Foam::impactLog::write()
     {
         writeRecord(r);
     }
-    file_->flush();
+    finishFile(*file_);
 }

@@ -7,6 +7,7 @@ Description
 
 #include "surfaceImpactStatistics.H"
 #include "OFstream.H"
+#include "finishFile.H"
 #include "OSspecific.H"
 #include "PstreamReduceOps.H"
 #include "calculatedFvPatchFields.H"
@@ -213,6 +214,7 @@ void Foam::surfaceImpactStatistics::writeTable
         os  << ',' << areas_[item] << ','
             << label(bins_->sum(item, REBOUND_UNKNOWN) == 0) << '\n';
     }
+    finishFile(os);
 }
 
 
