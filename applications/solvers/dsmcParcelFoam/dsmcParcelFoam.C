@@ -27,6 +27,7 @@ int main(int argc, char* argv[])
     #include "setRootCase.H"
     completeWrite::setAsideUnfinished(args);
     #include "createTime.H"
+    completeWrite::checkStart(runTime);
     #include "createMesh.H"
 
     const convexCells cells(mesh);

@@ -8,9 +8,124 @@
 #include "PstreamReduceOps.H"
 #include "DynamicList.H"
 #include "HashSet.H"
+#include "SHA1.H"
+#include "finishFile.H"
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+#include <vector>
+#include <sys/statvfs.h>
 
 namespace Foam
 {
+
+// First word of the list that a mark holds. A mark without it is one of an
+// earlier version, or was copied by decomposePar or reconstructPar.
+static const std::string listTitle("files of ");
+
+
+// Files below a folder, by their path in it
+static void filesBelow
+(
+    const fileName& top,
+    const fileName& relative,
+    DynamicList<fileName>& files
+)
+{
+    const fileName folder(relative.empty() ? top : top/relative);
+    const auto below = [&](const fileName& name)
+    {
+        return relative.empty() ? name : relative/name;
+    };
+    for (const fileName& name : readDir(folder, fileName::FILE, false))
+    {
+        if (below(name).path() != "uniform" || !name.ends_with("complete"))
+        {
+            files.append(below(name));
+        }
+    }
+    for (const fileName& name : readDir(folder, fileName::DIRECTORY, false))
+    {
+        // Written by function objects, which come after the fields
+        if (below(name) != "uniform/functionObjects")
+        {
+            filesBelow(top, below(name), files);
+        }
+    }
+}
+
+
+// Size and checksum of a file, as they stand in the list; whether it ends as
+// OpenFOAM's files do
+static std::string contents(const fileName& file, bool& whole)
+{
+    std::ifstream is(file, std::ios::binary);
+    std::vector<char> buffer(1 << 20);
+    SHA1 sum;
+    std::string head, tail;
+    long long size = 0;
+    while (is)
+    {
+        is.read(buffer.data(), buffer.size());
+        const std::size_t n = is.gcount();
+        if (!n)
+        {
+            break;
+        }
+        sum.append(buffer.data(), n);
+        if (!size)
+        {
+            head.assign(buffer.data(), std::min(n, std::size_t(200)));
+        }
+        const std::size_t end = std::min(n, std::size_t(100));
+        tail.append(buffer.data() + n - end, end);
+        if (tail.size() > 100)
+        {
+            tail.erase(0, tail.size() - 100);
+        }
+        size += n;
+    }
+    const bool banner =
+        head.compare(0, 2, "/*") == 0
+     && head.find("*- C++ -*-") != std::string::npos;
+    whole =
+        size > 0
+     && (!banner || tail.find("// ****") != std::string::npos);
+
+    std::ostringstream text;
+    text<< size << ' ' << sum.str();
+    return text.str();
+}
+
+
+// Which directory a mark belongs to: decomposePar copies that of the whole
+// mesh to all processors, reconstructPar that of a processor back
+static std::string ownerOf(const Time& runTime)
+{
+    std::ostringstream text;
+    text<< listTitle;
+    if (Pstream::parRun())
+    {
+        text<< "processor " << Pstream::myProcNo() << " of "
+            << Pstream::nProcs();
+    }
+    else
+    {
+        text<< "the whole mesh";
+    }
+    return text.str();
+}
+
+
+static std::string why(const fileName& folder)
+{
+    struct statvfs space;
+    return
+        ::statvfs(folder.c_str(), &space) == 0 && space.f_bavail == 0
+      ? "no space left on device" : "disk full or quota exceeded?";
+}
+
 
 static fileName markFolder(const Time& runTime, const word& timeName)
 {
@@ -96,16 +211,83 @@ void Foam::completeWrite::begin(const Time& runTime)
     rm(folder/"complete");
     OFstream mark(folder/"incomplete");
     mark<< "being written" << endl;
+    finishFile(mark);
 }
 
 
 void Foam::completeWrite::end(const Time& runTime)
 {
+    const fileName top(runTime.path()/runTime.timeName());
+    DynamicList<fileName> files;
+    filesBelow(top, "", files);
+    sort(files);
+
+    OFstream mark(top/"uniform"/"incomplete");
+    mark.stdStream() << ownerOf(runTime) << '\n';
+    for (const fileName& file : files)
+    {
+        bool whole;
+        const std::string text(contents(top/file, whole));
+        if (!whole)
+        {
+            FatalErrorInFunction
+                << "Cannot write " << top/file << ": it was not written to"
+                << " its end, " << why(top) << ". The run can be continued"
+                << " from the time directory before" << exit(FatalError);
+        }
+        mark.stdStream() << text << ' ' << file << '\n';
+    }
+    finishFile(mark);
+
     label everyone = 1;
     reduce(everyone, sumOp<label>());
 
-    const fileName folder(markFolder(runTime, runTime.timeName()));
-    mv(folder/"incomplete", folder/"complete");
+    if (!mv(top/"uniform"/"incomplete", top/"uniform"/"complete"))
+    {
+        failedFile(top/"uniform"/"complete", errno);
+    }
+}
+
+
+void Foam::completeWrite::checkStart(const Time& runTime)
+{
+    const fileName top(runTime.path()/runTime.timeName());
+    std::ifstream mark(top/"uniform"/"complete");
+    std::string line;
+    if (!std::getline(mark, line) || line != ownerOf(runTime))
+    {
+        return;
+    }
+    while (std::getline(mark, line))
+    {
+        std::istringstream words(line);
+        std::string size, sum, name;
+        words >> size >> sum;
+        std::getline(words >> std::ws, name);
+        const fileName file(top/name);
+        std::string what;
+        if (!isFile(file))
+        {
+            what = "is missing";
+        }
+        else
+        {
+            bool whole;
+            if (contents(file, whole) != size + ' ' + sum)
+            {
+                what = "is not what the run has written";
+            }
+        }
+        if (!what.empty())
+        {
+            FatalErrorInFunction
+                << "File " << file << ' ' << what << ": its size or checksum"
+                << " is not that of the list " << top/"uniform"/"complete"
+                << nl << "Restore it, or start from another time. If it was"
+                << " changed on purpose, remove that list"
+                << exit(FatalError);
+        }
+    }
 }
 
 
