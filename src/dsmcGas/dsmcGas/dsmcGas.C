@@ -248,7 +248,7 @@ void Foam::dsmcGas::readSpecies()
         catch (const std::invalid_argument& e)
         {
             FatalIOErrorInFunction(d)
-                << "Species " << name << ": entry " << e.what()
+                << "Entry " << e.what() << " (species " << name << ')'
                 << exit(FatalIOError);
         }
     }
@@ -311,11 +311,11 @@ void Foam::dsmcGas::readWalls()
     };
     IOobject T = present("boundaryT");
     IOobject U = present("boundaryU");
-    if (isPresent<volScalarField>(T))
+    if (isPresent<volScalarField>(T, false))
     {
         boundaryT_.reset(new volScalarField(T, mesh_));
     }
-    if (isPresent<volVectorField>(U))
+    if (isPresent<volVectorField>(U, false))
     {
         boundaryU_.reset(new volVectorField(U, mesh_));
     }

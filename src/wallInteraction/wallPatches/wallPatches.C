@@ -38,6 +38,9 @@ Foam::wallPatches::wallPatches
         const label number = settings_.size();
         settings_.append(new dictionary(item.dict()));
 
+        // Read from the list's stream, it has a path of its own
+        settings_[number].name() = dict.name() + '.' + name;
+
         bool found = false;
         for (const label patchi : boundary.indices(name, true))
         {

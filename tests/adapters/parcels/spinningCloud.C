@@ -586,12 +586,12 @@ TEST_F(spinningCloudTest, refusesBadInput)
     expectRefusal
     (
         "solution{motion embeddedRK54;interpolationSchemes{U cell;}}",
-        {"'U', value cell", "cellPoint"}
+        {"U cell", "cellPoint"}
     );
     expectRefusal
     (
         "solution{motion embeddedRK54;cellValueSourceCorrection on;}",
-        {"cellValueSourceCorrection", "(off)"}
+        {"cellValueSourceCorrection", "off with motion"}
     );
     expectRefusal
     (

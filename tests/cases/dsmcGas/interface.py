@@ -94,7 +94,7 @@ verdict("interface_isRead", abs(real/found["weight"].sum() - 1) < 1e-6,
 
 for name, old, new, texts in (
         ("Patch", "(xMax", "(frontier", ["frontier", "xMin xMax"]),
-        ("Sectors", "sectors 8", "sectors 0", ["sectors is 0", "> 0"]),
+        ("Sectors", "sectors 8", "sectors 0", ["sectors 0", "valid range"]),
         ("Entry", "start 2e-4", "begin 2e-4", ["Unknown entry begin"])):
     case = copy_case("near", "badInterface" + name)
     edit(case, SOLIDS, old, new)

@@ -188,18 +188,18 @@ for name, old, new, words in (
          ["motion", "leapFrog", "stock", "embeddedRK54"]),
         ("tolerance", "motion stock;",
          "motion { type embeddedRK54; tolerance 2; }",
-         ["'tolerance', value 2", "[1e-14, 0.1]"]),
+         ["tolerance 2", "[1e-14, 0.1]"]),
         ("scheme", "{ rho cellPoint; U cellPoint; T cellPoint;",
          "{ rho cellPoint; U cellPoint; T cell;",
-         ["'T', value cell", "cellPoint"]),
+         ["T cell", "cellPoint"]),
         ("torque", "rotationalTorqueModel rotationalTorque",
          "rotationalTorqueModel stokes",
-         ["'rotationalTorqueModel', value stokes", "rotationalTorque"]),
+         ["Unknown rotationalTorqueModel stokes", "rotationalTorque"]),
         ("rotation", "rotation on", "rotation maybe", ["maybe"]),
         ("force", "magnus;", "magnuss;", ["magnuss", "magnus", "sphereDrag"]),
-        ("density", "rho0 2500", "rho0 0", ["'rho0', value 0"]),
+        ("density", "rho0 2500", "rho0 0", ["rho0 0"]),
         ("diameter", "diameter 4e-6", "diameter -1",
-         ["'diameter', value -1", "(0, infinity)"]),
+         ["diameter -1", "[1e-10, 100]"]),
         ("omega0", "omega0 (0 0 2e6)", "omega0 (0 0)", ["omega0"])):
     case = copy_case("embedded" if name == "scheme" else "stock", "bad")
     edit(case, "constant/sandProperties", old, new)

@@ -572,7 +572,7 @@ def refused(name, functions, *words, control=""):
 
 
 refused("zero_axis", surface("axis { direction (0 0 0); from (-1 0 0); }"),
-        "direction", "(0 0 0)", "length")
+        "direction", "(0 0 0)", "any vector but zero")
 refused("direction_along_axis",
         surface("axis { direction (0 0 1); from (0 0 2); }"), "from",
         "(0 0 2)", "across")
@@ -584,14 +584,14 @@ refused("empty_patch", surface("").replace("(plate)", "(planes)"), "patches",
         "planes", "plate")
 refused("no_patches", surface("").replace("(plate)", "()"), "patches", "()")
 refused("threshold", surface("threshold -1;"), "threshold", "-1",
-        "[0, infinity)")
+        "[0, 3e8)")
 refused("empty_window", surface("window { start 2e-4; end 2e-4; }"), "end",
-        "0.0002", "empty")
+        "0.0002", "greater than start")
 refused("past_window", surface("window { start -2; end -1; }"), "end", "-1",
-        "(0, infinity)")
+        "greater than the time")
 refused("blocks", surface("blocks 5;"), "blocks", "5", "[10, 1000]")
 refused("stop_target", surface(
-    AXIS + "stopAtError { bins (0 60); target 0; }"), "target", "(0, inf")
+    AXIS + "stopAtError { bins (0 60); target 0; }"), "target", "(0, 1e6]")
 refused("stop_bins", surface(
     AXIS + "stopAtError { bins (100 120); target 0.1; }"), "bins",
         "(100 120)", "area")
@@ -603,10 +603,10 @@ refused("stop_quantity", surface(
 refused("erosion_model", surface("erosion { model Bitter; }"), "Bitter",
         "Finnie", "Oka")
 refused("flow_stress", surface("erosion { model Finnie; p 0; }"), "p",
-        "(0, infinity)")
+        "[1e-3, 1e14]")
 refused("hardness", surface("erosion { model Oka; hardness -1; }"),
-        "hardness", "-1", "(0, infinity)")
+        "hardness", "-1", "[1e-6, 1e3]")
 refused("interval", "d { type dispersedPhase; interval 0; }", "interval", "0",
-        "[1, infinity)")
+        "[1, ")
 refused("dispersed_window", "d { type dispersedPhase;"
-        " window { start 1; end 0.5; } }", "end", "0.5", "empty")
+        " window { start 1; end 0.5; } }", "end", "0.5", "greater than start")

@@ -503,9 +503,9 @@ def check_bad_input():
         ("law", N, ns(f"{BOX} {ROUGH} law {{ type restitution;"
                       " normal 2; }"), ["normal 2", "[0, 1]"]),
         ("maxImpacts", N, ns(f"{NON_SPHERICAL} maxImpacts 0;"),
-         ["maxImpacts 0", "> 0"]),
+         ["maxImpacts 0", "[1, 1e9]"]),
         ("seed", N, patches(f"yMin {{ {NON_SPHERICAL} }}", lid)
-         + " seed -1;", ["seed -1", "0 to 9e15"]),
+         + " seed -1;", ["seed -1", "[0, 9e15]"]),
         ("lay", N, ns(f"{NON_SPHERICAL} lay along;"),
          ["lay along", "acrossMotion"]),
         ("layDirection", N, ns(f"{NON_SPHERICAL} lay fixed;"

@@ -4,27 +4,9 @@
 
 #include "undisturbedStream.H"
 #include "counterRandom.H"
+#include "outOfRange.H"
 
 #include <cmath>
-#include <sstream>
-#include <stdexcept>
-
-namespace
-{
-
-void check(bool valid, const char* entry, double value, const char* range)
-{
-    if (!valid)
-    {
-        std::ostringstream message;
-        message << "Entry '" << entry << "', value " << value
-            << ", is outside the valid range " << range;
-        throw std::invalid_argument(message.str());
-    }
-}
-
-} // End anonymous namespace
-
 
 impact::undisturbedStream::undisturbedStream
 (
@@ -37,7 +19,7 @@ impact::undisturbedStream::undisturbedStream
     parcelDensity_(0),
     seed_(seed)
 {
-    check
+    checkRange
     (
         volumeFraction > 0 && volumeFraction < 0.1,
         "volumeFraction",
@@ -46,27 +28,24 @@ impact::undisturbedStream::undisturbedStream
     );
     if (sizes.empty())
     {
-        throw std::invalid_argument
-        (
-            "Entry 'sizes', value (), needs at least one (diameter fraction)"
-        );
+        throwOutOfRange("sizes", "()", "at least one (diameter fraction)");
     }
 
     double sum = 0;
     for (const sizeClass& size : sizes_)
     {
-        check(size.d > 0, "diameter", size.d, "(0, infinity)");
-        check
+        checkRange(size.d > 0, "diameter", size.d, "(0, inf)");
+        checkRange
         (
             size.fraction > 0 && size.fraction <= 1,
             "fraction of sizes",
             size.fraction,
             "(0, 1]"
         );
-        check(size.weight > 0, "nParticle", size.weight, "(0, infinity)");
+        checkRange(size.weight > 0, "nParticle", size.weight, "(0, inf)");
         sum += size.fraction;
     }
-    check
+    checkRange
     (
         std::fabs(sum - 1) < 1e-6,
         "sum of the fractions of sizes",

@@ -3,32 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "pairLaw.H"
-
-#include <sstream>
-#include <stdexcept>
-
-namespace
-{
-
-void checkRange
-(
-    const char* name,
-    double value,
-    double low,
-    double high,
-    const char* range
-)
-{
-    // A comparison with NaN would trap
-    if (std::isnan(value) || value < low || value > high)
-    {
-        std::ostringstream text;
-        text<< name << ' ' << value << ": valid range " << range;
-        throw std::invalid_argument(text.str());
-    }
-}
-
-} // End anonymous namespace
+#include "outOfRange.H"
 
 
 impact::pairLaw::pairLaw
@@ -44,10 +19,9 @@ impact::pairLaw::pairLaw
     tangentialRestitution_(tangentialRestitution),
     spin_(spin)
 {
-    checkRange("restitution", restitution, 0, 1, "[0, 1]");
-    checkRange("friction", friction, 0, 1e12, "[0, 1e12]");
-    checkRange
-        ("tangentialRestitution", tangentialRestitution, -1, 1, "[-1, 1]");
+    checkRange("restitution", restitution, 0, 1);
+    checkRange("friction", friction, 0, 1e12);
+    checkRange("tangentialRestitution", tangentialRestitution, -1, 1);
 }
 
 

@@ -3,11 +3,10 @@
 \*---------------------------------------------------------------------------*/
 
 #include "erosionLaw.H"
+#include "outOfRange.H"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
-#include <stdexcept>
 
 namespace impact
 {
@@ -17,13 +16,11 @@ namespace
 
 void check(const char* name, double value, bool zeroToo = false)
 {
-    if (!(value > 0 || (zeroToo && value == 0)) || !std::isfinite(value))
-    {
-        std::ostringstream text;
-        text<< name << ", value " << value << ", is outside the valid range "
-            << (zeroToo ? "[0" : "(0") << ", infinity)";
-        throw std::invalid_argument(text.str());
-    }
+    checkRange
+    (
+        (value > 0 || (zeroToo && value == 0)) && std::isfinite(value),
+        name, value, zeroToo ? "[0, inf)" : "(0, inf)"
+    );
 }
 
 } // End anonymous namespace
@@ -69,10 +66,7 @@ erosionLaw erosionLaw::oka(const okaConstants& c)
     check("k3", c.k3, true);
     check("referenceSpeed", c.referenceSpeed);
     check("referenceDiameter", c.referenceDiameter);
-    if (!std::isfinite(c.k1))
-    {
-        throw std::invalid_argument("k1 must be finite");
-    }
+    checkRange(std::isfinite(c.k1), "k1", c.k1, "(-inf, inf)");
 
     erosionLaw law;
     law.kind_ = kind::oka;

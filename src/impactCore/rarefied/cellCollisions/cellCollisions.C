@@ -3,24 +3,18 @@
 \*---------------------------------------------------------------------------*/
 
 #include "cellCollisions.H"
+#include "outOfRange.H"
 #include "elementary.H"
 #include "maxwellian.H"
 
 #include <cmath>
 #include <limits>
-#include <sstream>
-#include <stdexcept>
 
 namespace
 {
     void demand(bool good, const char* name, double value, const char* range)
     {
-        if (!good)
-        {
-            std::ostringstream text;
-            text<< name << " is " << value << ". Valid range: " << range;
-            throw std::invalid_argument(text.str());
-        }
+        impact::checkRange(good, name, value, range);
     }
 
     //- One of 0 ... n - 1

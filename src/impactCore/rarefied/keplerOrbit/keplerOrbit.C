@@ -3,7 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "keplerOrbit.H"
-#include "rangeCheck.H"
+#include "outOfRange.H"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 
 #include "plumeGrid.H"
 #include "gridKernels.H"
-#include "rangeCheck.H"
+#include "outOfRange.H"
 
 #include <cmath>
 #include <string>

@@ -6,7 +6,7 @@
 #include "blockLoop.H"
 #include "philoxLanes.H"
 #include "plumeKernels.H"
-#include "rangeCheck.H"
+#include "outOfRange.H"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 
 #include "plumeStatistics.H"
 #include "elementary.H"
-#include "rangeCheck.H"
+#include "outOfRange.H"
 
 #include <algorithm>
 #include <cmath>

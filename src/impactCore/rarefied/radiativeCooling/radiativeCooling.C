@@ -3,7 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "radiativeCooling.H"
-#include "rangeCheck.H"
+#include "outOfRange.H"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "sizeGroups.H"
-#include "rangeCheck.H"
+#include "outOfRange.H"
 
 #include <cmath>
 

@@ -4,7 +4,7 @@
 
 #include "solidExchange.H"
 #include "maxwellian.H"
-#include "rangeCheck.H"
+#include "outOfRange.H"
 
 #include <cmath>
 #include <sstream>

@@ -4,7 +4,7 @@
 
 #include "sphereTransfer.H"
 #include "maxwellian.H"
-#include "rangeCheck.H"
+#include "outOfRange.H"
 
 #include <algorithm>
 #include <cmath>

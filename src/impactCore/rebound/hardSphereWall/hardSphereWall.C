@@ -3,24 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "hardSphereWall.H"
-
-#include <sstream>
-#include <stdexcept>
-
-namespace
-{
-
-void require(bool ok, const char* name, double value, const char* range)
-{
-    if (!ok)
-    {
-        std::ostringstream text;
-        text<< name << ' ' << value << ": valid range " << range;
-        throw std::invalid_argument(text.str());
-    }
-}
-
-} // End anonymous namespace
+#include "outOfRange.H"
 
 
 impact::hardSphereWall::hardSphereWall(double restitution, double friction)
@@ -28,12 +11,12 @@ impact::hardSphereWall::hardSphereWall(double restitution, double friction)
     restitution_(restitution),
     friction_(friction)
 {
-    require
+    checkRange
     (
         restitution >= 0 && restitution <= 1,
         "restitution", restitution, "[0, 1]"
     );
-    require
+    checkRange
     (
         friction >= 0 && friction <= 1e6, "friction", friction, "[0, 1e6]"
     );
@@ -57,7 +40,7 @@ impact::hardSphereWall impact::hardSphereWall::McNamaraFalcon
     double friction
 )
 {
-    require
+    checkRange
     (
         speed > 1e-100 && speed < 1e100,
         "restitutionSpeed", speed, "(0, inf) (m/s)"

@@ -4,6 +4,7 @@
 
 #include "relief.H"
 #include "elementary.H"
+#include "outOfRange.H"
 
 #include <algorithm>
 #include <cmath>
@@ -16,17 +17,6 @@ namespace
 {
 
 typedef impact::relief::interval interval;
-
-void require(bool ok, const char* name, double value, const char* range)
-{
-    if (!ok)
-    {
-        std::ostringstream text;
-        text<< name << ' ' << value << ": valid range " << range;
-        throw std::invalid_argument(text.str());
-    }
-}
-
 
 //- A number of values that no vector of a loop over them is part of: the
 //  kernels take that many, since the last few would cost as much one by one
@@ -74,18 +64,18 @@ impact::relief impact::relief::rough
     double sigmaHeight
 )
 {
-    require
+    checkRange
     (
         meanSpacing > 0 && meanSpacing < 1e100,
         "meanSpacing", meanSpacing, "(0, inf)"
     );
-    require
+    checkRange
     (
         sigmaSpacing >= 0 && 3*sigmaSpacing < meanSpacing,
         "sigmaSpacing", sigmaSpacing,
         "[0, meanSpacing/3): the knots would run backwards"
     );
-    require
+    checkRange
     (
         sigmaHeight >= 0 && sigmaHeight < 1e100,
         "sigmaHeight", sigmaHeight, "[0, inf)"
@@ -208,7 +198,7 @@ impact::relief impact::relief::profile
     double scale
 )
 {
-    require(scale > 0 && scale < 1e100, "profile scale", scale, "(0, inf)");
+    checkRange(scale > 0 && scale < 1e100, "profile scale", scale, "(0, inf)");
     std::ifstream file(fileName);
     if (!file)
     {
@@ -261,12 +251,12 @@ impact::relief impact::relief::sinusoidal
     double wavelength
 )
 {
-    require
+    checkRange
     (
         amplitude >= 0 && amplitude < 1e100,
         "amplitude", amplitude, "[0, inf)"
     );
-    require
+    checkRange
     (
         wavelength > 0 && wavelength < 1e100,
         "wavelength", wavelength, "(0, inf)"
@@ -288,7 +278,7 @@ impact::relief impact::relief::sinusoidal
 
 impact::relief impact::relief::flat(double period)
 {
-    require(period > 0 && period < 1e100, "period", period, "(0, inf)");
+    checkRange(period > 0 && period < 1e100, "period", period, "(0, inf)");
     relief r;
     r.period_ = period;
     r.table_ = {interval{0, period, 0, 0, 0, 0, 0, 0, 0}};

@@ -1,0 +1,106 @@
+"""Entries of a dictionary file, found in its text, and what may be done to
+them by mistake."""
+
+import re
+
+NUMBER = re.compile(r"(?<![\w.])[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
+                    r"(?![\w.])")
+VALUES = ("-1", "0", "1e300", "nan", "word")
+
+
+def bare(text):
+    """The text without comments, at the same places."""
+    def blank(found):
+        return re.sub(r"[^\n]", " ", found.group(0))
+    return re.sub(r"//[^\n]*|/\*.*?\*/", blank, text, flags=re.S)
+
+
+class Entry:
+    def __init__(self, path, key, start, keyEnd, valueStart, end, isDict):
+        self.path, self.key = path, key
+        self.start, self.keyEnd = start, keyEnd
+        self.valueStart, self.end, self.isDict = valueStart, end, isDict
+
+
+def closing(text, at):
+    depth = 0
+    while at < len(text):
+        depth += text[at] in "({[" and 1 or text[at] in ")}]" and -1 or 0
+        if depth == 0:
+            return at
+        at += 1
+    raise RuntimeError("unbalanced brackets")
+
+
+def entries(text, at=0, end=None, path=()):
+    """All entries of a bare text, those of sub-dictionaries too."""
+    end = len(text) if end is None else end
+    found = []
+    while at < end:
+        c = text[at]
+        if c.isspace() or c in ";)":
+            at += 1
+        elif c == "#":
+            at = text.find("\n", at) + 1 or end
+        elif c in "({":
+            stop = closing(text, at)
+            found += entries(text, at + 1, stop, path)
+            at = stop + 1
+        else:
+            m = re.compile(r'"[^"]*"|[^\s;(){}]+').match(text, at)
+            key, after = m.group(0), m.end()
+            while after < end and text[after].isspace():
+                after += 1
+            if after < end and text[after] == "{":
+                stop = closing(text, after)
+                if key != "FoamFile":
+                    found.append(Entry(path, key, at, m.end(), after,
+                                       stop + 1, True))
+                    found += entries(text, after + 1, stop,
+                                     path + (key.strip('"'),))
+                at = stop + 1
+                continue
+            stop = after
+            while stop < end and text[stop] != ";":
+                stop = (closing(text, stop) if text[stop] in "({["
+                        else stop) + 1
+            value = text[after:stop]
+            found.append(Entry(path, key, at, m.end(), after, stop + 1, False))
+            if "{" in value:
+                found += entries(text, after, stop, path + (key,))
+            at = stop + 1
+    return found
+
+
+def misspelt(key):
+    quoted = key.startswith('"')
+    word = key.strip('"')
+    if len(word) > 3:
+        middle = len(word)//2
+        word = word[:middle] + word[middle + 1:]
+    else:
+        word += "x"
+    return f'"{word}"' if quoted else word
+
+
+def mutations(text):
+    """(name, entry, new text) of every mistake."""
+    for e in entries(bare(text)):
+        where = "/".join(e.path + (e.key,))
+        yield f"drop {where}", e, text[:e.start] + text[e.end:]
+        yield (f"misspell {where}", e,
+               text[:e.start] + misspelt(e.key) + text[e.keyEnd:])
+        if e.isDict:
+            continue
+        value = text[e.valueStart:e.end - 1]
+        number = NUMBER.search(bare(value))
+        for new in VALUES:
+            if number and "{" not in value:
+                changed = (value[:number.start()] + new
+                           + value[number.end():])
+            elif new == "word" and "{" not in value:
+                changed = new
+            else:
+                continue
+            yield (f"{new} {where}", e,
+                   text[:e.valueStart] + changed + text[e.end - 1:])

@@ -1,0 +1,122 @@
+#!/usr/bin/env python3
+"""Damage to the files that a run starts from: restarts.py [--tests]
+
+Stands in an empty folder. Each file of the start directory is removed, cut to
+nothing, cut to a half and given another bit, on one rank and on two: the run
+must be refused with the name of the file. A mark without a list, as earlier
+versions wrote it, is taken as it is. Prints rows of doc/stability.md or, with
+--tests, lines PASS and FAIL.
+"""
+
+import os
+import shutil
+import sys
+
+from caseTools import (complaint, decompose, edit, must, run, times_of,
+                       write_foam)
+from fuzz import run as run_quietly
+from subjects import cloud_text, gas_case
+
+TESTS = "--tests" in sys.argv
+failed = False
+
+
+def verdict(name, expected, observed, bad):
+    global failed
+    failed = failed or bool(bad)
+    if TESTS:
+        print(f"FAIL {name}: " + "; ".join(bad[:5]) if bad
+              else f"PASS {name} ({observed})", flush=True)
+    else:
+        print(f"{name} | {expected} | {observed}"
+              + ("; wrong: " + "; ".join(bad) if bad else "")
+              + f" | {'FAILED' if bad else 'ok'}", flush=True)
+
+
+def remove(path):
+    os.remove(path)
+
+
+def empty(path):
+    open(path, "w").close()
+
+
+def halve(path):
+    os.truncate(path, os.path.getsize(path)//2)
+
+
+def flip(path):
+    with open(path, "r+b") as file:
+        file.seek(os.path.getsize(path)//2)
+        byte = file.read(1)[0]
+        file.seek(-1, 1)
+        file.write(bytes([byte ^ 4]))
+
+
+def listed(mark):
+    with open(mark) as file:
+        lines = file.read().split("\n")
+    return [line.split(" ", 2)[2] for line in lines[1:] if line]
+
+
+def prepare(case, ranks):
+    gas_case(case, {"mode": "frozen"}, 3)
+    edit(case, "system/controlDict", "endTime 3e-06", "endTime 6e-06")
+    write_foam(case, "constant/parcelClouds", "clouds (dust);")
+    text = cloud_text("jkrAdhesion", "surfaceImpact", "rakeInjection")
+    for old, new in (("(0.03 0.02 0)", "(0.03 1e-6 0)"),
+                     ("(0.03 0.04 0)", "(0.07 1e-6 0)"),
+                     ("(1797 0 0)", "(0 -1 0)")):
+        text = text.replace(old, new)
+    write_foam(case, "constant/dustProperties", text)
+    command = ["rhoCentralParcelFoam"]
+    if ranks > 1:
+        decompose(case)
+        command = ["mpirun", "--oversubscribe", "-np", str(ranks), *command,
+                   "-parallel"]
+    must(case, *command)
+    where = f"{case}/processor{ranks - 1}" if ranks > 1 else case
+    times = times_of(where)
+    for folder in ([case] if ranks == 1 else
+                   [f"{case}/processor{i}" for i in range(ranks)]):
+        for time in times[2:]:
+            shutil.rmtree(f"{folder}/{time}")
+    return command, where[len(case):] + "/" + times[1]
+
+
+for ranks in (1, 2):
+    case = f"good{ranks}"
+    command, start = prepare(case, ranks)
+    mark = f"{case}{start}/uniform/complete"
+    files = listed(mark)
+    n, bad = 0, []
+    for k, name in enumerate(files):
+        # A test takes one damage of each file, in turn
+        every = (remove, empty, halve, flip)
+        for damage in ([every[k % 4]] if TESTS else every):
+            shutil.copytree(case, "trial")
+            damage(f"trial{start}/{name}")
+            status, text = run_quietly("trial", command)
+            shutil.rmtree("trial")
+            n += 1
+            if (not status or name not in text or "FOAM FATAL" not in text
+                    or "\nTime = " in text):
+                bad.append(f"{damage.__name__} {name}: {complaint(text)}")
+    verdict(f"damaged files of a restart, {ranks} ranks",
+            "refused with the name of the file",
+            f"{n} damages to {len(files)} files refused", bad)
+
+    bad = []
+    for name in ("nothing", "an earlier version's mark"):
+        shutil.copytree(case, "trial")
+        if name != "nothing":
+            with open(f"trial{start}/uniform/complete", "w") as file:
+                file.write("being written\n")
+        status, text = run("trial", *command)
+        shutil.rmtree("trial")
+        if status:
+            bad.append(f"{name}: {complaint(text)}")
+    verdict(f"restart as it was left, and with an earlier version's mark,"
+            f" {ranks} ranks", "runs", "both run", bad)
+
+sys.exit(failed)
