@@ -14,6 +14,7 @@ Description
 #include "fvCFD.H"
 #include "completeWrite.H"
 #include "dsmcGas.H"
+#include "release.H"
 #include "solidParticles.H"
 
 int main(int argc, char* argv[])
@@ -25,6 +26,7 @@ int main(int argc, char* argv[])
     );
 
     #include "setRootCase.H"
+    foamCompat::printRelease();
     completeWrite::setAsideUnfinished(args);
     #include "createTime.H"
     completeWrite::checkStart(runTime);

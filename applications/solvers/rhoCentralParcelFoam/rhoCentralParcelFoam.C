@@ -17,6 +17,7 @@ Description
 #include "completeWrite.H"
 #include "highSpeedGas.H"
 #include "parcelClouds.H"
+#include "release.H"
 
 int main(int argc, char* argv[])
 {
@@ -27,6 +28,7 @@ int main(int argc, char* argv[])
     );
 
     #include "setRootCase.H"
+    foamCompat::printRelease();
     completeWrite::setAsideUnfinished(args);
     #include "createTime.H"
     completeWrite::checkStart(runTime);

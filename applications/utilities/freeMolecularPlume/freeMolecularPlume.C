@@ -41,6 +41,7 @@ Usage
 
 #include "monteCarloRun.H"
 #include "plumeOutput.H"
+#include "release.H"
 
 namespace
 {
@@ -118,6 +119,7 @@ int main(int argc, char* argv[])
     );
     monteCarloRun::addOptions();
     argList args(argc, argv);
+    foamCompat::printRelease();
     const monteCarloRun monteCarlo(args, "freeMolecularPlume");
     const plumeSetup setup
         (monteCarlo.readDictionary(), monteCarlo.casePath());

@@ -35,6 +35,7 @@ Usage
 #include "IFstream.H"
 #include "jkrImpactOutput.H"
 #include "plotResults.H"
+#include "release.H"
 
 using namespace Foam;
 
@@ -49,6 +50,7 @@ int main(int argc, char* argv[])
     argList::noFunctionObjects();
     argList::addBoolOption("noPlot", "Do not call the plot script");
     argList args(argc, argv);
+    foamCompat::printRelease();
 
     const fileName casePath(args.globalPath());
     const fileName dictFile(casePath/"system/jkrImpactDict");

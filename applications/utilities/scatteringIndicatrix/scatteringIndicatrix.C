@@ -42,6 +42,7 @@ Usage
 \*---------------------------------------------------------------------------*/
 
 #include "monteCarloRun.H"
+#include "release.H"
 #include "scatteringOutput.H"
 
 namespace
@@ -118,6 +119,7 @@ int main(int argc, char* argv[])
         "Write the sampled response as a function of the incidence"
     );
     argList args(argc, argv);
+    foamCompat::printRelease();
     const monteCarloRun monteCarlo(args, "scatteringIndicatrix");
     const scatteringSetup setup
         (monteCarlo.readDictionary(), monteCarlo.casePath());
