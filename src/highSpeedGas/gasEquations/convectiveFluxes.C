@@ -121,6 +121,9 @@ void Foam::gasEquations::innerFluxes()
     const double* __restrict g = gradient_.data();
     faceBlock block;
 
+    //- Mass fluxes of the faces in hand, those of face f at massFlux[f]
+    scalar* massFlux = phi_.begin();
+
     auto blockOfFaces = [&](const label first, const int n)
     {
         bool troubledBlock = false;
@@ -202,6 +205,7 @@ void Foam::gasEquations::innerFluxes()
             const label f = first + i;
             const double S = geometry_.area[f];
             double* ro = &rate[geometry_.owner[f]*nVar];
+            massFlux[f] = block.flux[0][i]*S;
             if (f < geometry_.nInternal())
             {
                 double* rf = &rate[geometry_.far[f]*nVar];
@@ -211,7 +215,6 @@ void Foam::gasEquations::innerFluxes()
                     ro[k] -= F;
                     rf[k] += F;
                 }
-                phi_[f] = block.flux[0][i]*S;
             }
             else
             {
@@ -236,6 +239,8 @@ void Foam::gasEquations::innerFluxes()
     {
         if (patch.coupled)
         {
+            massFlux =
+                phi_.boundaryFieldRef()[patch.patchi].begin() - patch.start;
             range(patch.start, patch.start + patch.size);
         }
     }

@@ -172,6 +172,7 @@ Foam::gasEquations::gasEquations
     highestT_(GREAT),
     warnedOfTemperature_(false),
     viscous_(viscous),
+    turbulence_(geometry_, rho, U, phi, thermo, viscous),
     troubled_(geometry_.nSlots(), 0),
     anyTroubled_(false),
     brokenFace_(-1),

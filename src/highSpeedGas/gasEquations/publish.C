@@ -71,6 +71,28 @@ void Foam::gasEquations::publish(const bool asWritten)
 }
 
 
+void Foam::gasEquations::storeOldTime()
+{
+    auto store = [](auto& field)
+    {
+        // The first call makes the old field without noting the time
+        field.oldTime();
+        field.storeOldTimes();
+    };
+
+    if (turbulent() || boundaryNeedsProperties_)
+    {
+        store(rho_);
+        store(U_);
+    }
+    if (boundaryNeedsProperties_)
+    {
+        store(thermo_.p());
+        store(thermo_.T());
+    }
+}
+
+
 void Foam::gasEquations::checkTemperature()
 {
     if (!closure_.thermallyPerfect())

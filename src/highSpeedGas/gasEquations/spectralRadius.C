@@ -48,16 +48,23 @@ void Foam::gasEquations::faceSpectralRadius(std::vector<double>& lambda) const
         {
             const double* state = &primitive[r*nVar_];
             const double T = state[1];
-            const double mu = closure_.viscosity(T);
+            double mu = closure_.viscosity(T);
             const double density = state[0]/(closure_.R*T);
             const double cv =
                 closure_.thermallyPerfect()
               ? closure_.specificHeat<true>(T)
               : closure_.cv;
-            const double lambdaT =
+            double lambdaT =
                 closure_.thermallyPerfect()
               ? closure_.conductivity<true>(mu, T)
               : closure_.conductivity<false>(mu, T);
+            if (!eddyViscosity_.empty())
+            {
+                mu += max(eddyViscosity_[o], eddyViscosity_[r]);
+                lambdaT +=
+                    (cv + closure_.R)
+                   *max(eddyDiffusivity_[o], eddyDiffusivity_[r]);
+            }
             lambda[f] +=
                 2*max(4.0/3*mu, lambdaT/cv)/density
                *geometry_.area[f]/geometry_.normalDistance[f];

@@ -47,11 +47,24 @@ void Foam::gasEquations::viscousFlux
     }
 
     const double T = q[1];
-    const double mu = closure_.viscosity(T);
-    const double lambda =
+    double mu = closure_.viscosity(T);
+    double lambda =
         closure_.thermallyPerfect()
       ? closure_.conductivity<true>(mu, T)
       : closure_.conductivity<false>(mu, T);
+    if (!eddyViscosity_.empty())
+    {
+        const label o = geometry_.owner[f];
+        const label r = geometry_.far[f];
+        const double cv =
+            closure_.thermallyPerfect()
+          ? closure_.specificHeat<true>(T)
+          : closure_.cv;
+        mu += (1 - share)*eddyViscosity_[o] + share*eddyViscosity_[r];
+        lambda +=
+            (cv + closure_.R)
+           *((1 - share)*eddyDiffusivity_[o] + share*eddyDiffusivity_[r]);
+    }
 
     double divU = 0;
     for (int d = 0; d < nDim; d++)

@@ -8,6 +8,9 @@
 #include "symmetryPlanePolyPatch.H"
 #include "processorPolyPatch.H"
 #include "cyclicPolyPatch.H"
+#include "cyclicAMIPolyPatch.H"
+#include "cyclicACMIPolyPatch.H"
+#include "cyclicPeriodicAMIPolyPatch.H"
 #include "UIPstream.H"
 #include "UOPstream.H"
 #include "surfaceFields.H"
@@ -52,14 +55,33 @@ void Foam::gasMesh::setFaces()
         {
             continue;
         }
-        if (pp.coupled() && !isA<processorPolyPatch>(pp)
-         && !isA<cyclicPolyPatch>(pp))
+        // (An AMI says that it is coupled only once both sides are there)
+        const bool ami =
+            isA<cyclicAMIPolyPatch>(pp) && !isA<cyclicACMIPolyPatch>(pp)
+         && !isA<cyclicPeriodicAMIPolyPatch>(pp);
+        const bool coupled =
+            ami || isA<processorPolyPatch>(pp) || isA<cyclicPolyPatch>(pp);
+
+        if (!coupled && (pp.coupled() || isA<cyclicAMIPolyPatch>(pp)))
         {
             FatalErrorInFunction
                 << "Patch " << pp.name() << " of type " << pp.type()
                 << " couples cells in a way the gas solution does not know."
-                << nl << "Valid coupled types: processor, cyclic"
+                << nl << "Valid coupled types: processor, cyclic, cyclicAMI"
                 << exit(FatalError);
+        }
+        if
+        (
+            coupled && !isType<processorPolyPatch>(pp)
+         && !refCast<const coupledPolyPatch>(pp).parallel()
+        )
+        {
+            FatalErrorInFunction
+                << "Patch " << pp.name() << " of type " << pp.type()
+                << " is joined to its neighbour by a rotation; the gas is"
+                << " joined by translations only." << nl
+                << "Solve the whole circumference, or use a wedge if the flow"
+                << " is axisymmetric" << exit(FatalError);
         }
 
         patches_.push_back
@@ -69,7 +91,7 @@ void Foam::gasMesh::setFaces()
                 patchi,
                 nFaces_,
                 pp.size(),
-                pp.coupled(),
+                coupled,
                 isA<symmetryPolyPatch>(pp) || isA<symmetryPlanePolyPatch>(pp)
             }
         );
@@ -290,14 +312,68 @@ Foam::gasMesh::gasMesh(const fvMesh& mesh)
 }
 
 
+void Foam::gasMesh::interpolateAMI
+(
+    const cyclicAMIPolyPatch& patch,
+    const double* values,
+    const int n,
+    double* ghost
+)
+{
+    const labelUList& here = patch.faceCells();
+    const labelUList& there = patch.neighbPatch().faceCells();
+    const bool lowWeights = patch.applyLowWeightCorrection();
+    scalarField behind(there.size());
+    scalarField own(lowWeights ? here.size() : 0);
+
+    for (int k = 0; k < n; k++)
+    {
+        forAll(behind, i)
+        {
+            behind[i] = values[n*there[i] + k];
+        }
+        forAll(own, i)
+        {
+            own[i] = values[n*here[i] + k];
+        }
+        const scalarField seen(patch.interpolate(behind, own));
+        forAll(seen, i)
+        {
+            ghost[n*i + k] = seen[i];
+        }
+    }
+}
+
+
 void Foam::gasMesh::exchange(double* values, const int n) const
 {
     const polyBoundaryMesh& boundary = mesh_.boundaryMesh();
+
+    // First what waits for its own messages, so that no others are on the way
+    for (const patchRange& patch : patches_)
+    {
+        const polyPatch& pp = boundary[patch.patchi];
+        if (patch.coupled && isA<cyclicAMIPolyPatch>(pp))
+        {
+            interpolateAMI
+            (
+                refCast<const cyclicAMIPolyPatch>(pp),
+                values,
+                n,
+                values + n*(nCells_ + patch.start - nInternal_)
+            );
+        }
+    }
+
     const label startOfRequests = Pstream::nRequests();
 
     for (const patchRange& patch : patches_)
     {
-        if (!patch.coupled)
+        if
+        (
+            !patch.coupled
+         || isA<cyclicAMIPolyPatch>(boundary[patch.patchi])
+        )
         {
             continue;
         }

@@ -103,10 +103,18 @@ void Foam::gasProperties::update() const
         setCell(celli);
     }
 
-    // The conditions on the energy, and their gradients, follow those on T
-    thermo_.he().correctBoundaryConditions();
-    forAll(T.boundaryField(), patchi)
+    // The conditions on the energy, and their gradients, follow those on T,
+    // and evaluate them anew, which is not their turn
+    List<scalarField> keepT(T.boundaryField().size());
+    forAll(keepT, patchi)
     {
+        keepT[patchi] = T.boundaryField()[patchi];
+    }
+    thermo_.he().correctBoundaryConditions();
+    forAll(keepT, patchi)
+    {
+        static_cast<scalarField&>(T.boundaryFieldRef()[patchi]) =
+            keepT[patchi];
         setPatch(patchi);
     }
 }

@@ -375,6 +375,11 @@ Foam::highSpeedGas::highSpeedGas(const fvMesh& mesh)
     );
     march_.reset(new RungeKutta(*equations_, stages_));
     publish(restarts);
+    equations_->validateTurbulence();
+    if (mode_ == modeType::steady)
+    {
+        equations_->turbulence().needSteadyScheme();
+    }
 
     Info<< "Gas: mode " << modeNames[mode_]
         << (steady_ ? ", steady since an earlier run" : "") << endl;
@@ -392,6 +397,7 @@ void Foam::highSpeedGas::setDeltaT(Time& runTime)
         // Go on from what is written, so that a restart goes the same way
         const sigFpe::ignore untrapped;
         equations_->readFields(true);
+        equations_->validateTurbulence();
     }
     if (!adjustsTimeStep_)
     {
@@ -476,24 +482,32 @@ bool Foam::highSpeedGas::solve()
 
     const scalar start = mesh_.time().elapsedCpuTime();
 
-    // A floating-point exception would end the run before it can say where:
-    // what a step makes of the state is looked at before it is accepted
-    const sigFpe::ignore untrapped;
+    {
+        // A floating-point exception would end the run before it can say
+        // where: what a step makes of the state is looked at before it is
+        // accepted
+        const sigFpe::ignore untrapped;
 
-    if (mode_ == modeType::steady)
-    {
-        findSteadyState();
-    }
-    else
-    {
-        const label n =
-            march_->advance(mesh_.time().deltaTValue(), maxCo_);
-        if (n > 1)
+        if (mode_ == modeType::steady)
         {
-            Info<< "Gas: " << n << " steps" << endl;
+            findSteadyState();
         }
+        else
+        {
+            equations_->storeOldTime();
+            const label n =
+                march_->advance(mesh_.time().deltaTValue(), maxCo_);
+            if (n > 1)
+            {
+                Info<< "Gas: " << n << " steps" << endl;
+            }
+        }
+        publish();
     }
-    publish();
+    if (mode_ == modeType::transient)
+    {
+        equations_->correctTurbulence();
+    }
 
     cpuTime_ += mesh_.time().elapsedCpuTime() - start;
     return true;

@@ -9,7 +9,8 @@ Foam::RungeKutta::RungeKutta(gasEquations& gas, const int stages)
     gas_(gas),
     stages_(stages),
     next_(gas.conserved.size()),
-    step_(gas.geometry().nCells())
+    step_(gas.geometry().nCells()),
+    deltaT_(0)
 {}
 
 
@@ -43,6 +44,10 @@ bool Foam::RungeKutta::attempt()
     };
 
     old_ = gas_.conserved;
+    if (stepMass_.valid())
+    {
+        stepMass_() == dimensionedScalar(dimMass, Zero);
+    }
 
     for (int k = 0; k < stages_; k++)
     {
@@ -64,6 +69,12 @@ bool Foam::RungeKutta::attempt()
             return false;
         }
 
+        if (stepMass_.valid())
+        {
+            const dimensionedScalar dt("dt", dimTime, deltaT_);
+            const scalar share = 1 - shares[stages_ - 1][k];
+            stepMass_() == share*(stepMass_() + dt*gas_.massFlux());
+        }
         gas_.conserved.swap(next_);
         gas_.correctBoundary();
     }
@@ -106,6 +117,17 @@ Foam::label Foam::RungeKutta::advance
     label nSteps = 0;
     scalar caution = 1;
 
+    if (gas_.turbulent())
+    {
+        if (!mass_.valid())
+        {
+            const dimensionedScalar dt("dt", dimTime, deltaT);
+            mass_.reset(new surfaceScalarField("mass", dt*gas_.massFlux()));
+            stepMass_.reset(new surfaceScalarField("stepMass", mass_()));
+        }
+        mass_() == dimensionedScalar(dimMass, Zero);
+    }
+
     while (left > 0)
     {
         const scalar stable = caution*stableStep(maxCo);
@@ -115,8 +137,13 @@ Foam::label Foam::RungeKutta::advance
         const scalar dt = n > 1 ? left/n : left;
 
         std::fill(step_.begin(), step_.end(), dt);
+        deltaT_ = dt;
         if (attempt())
         {
+            if (mass_.valid())
+            {
+                mass_() == mass_() + stepMass_();
+            }
             left = n > 1 ? left - dt : 0;
             caution = min(1.0, 2*caution);
             nSteps++;
@@ -130,6 +157,11 @@ Foam::label Foam::RungeKutta::advance
             }
         }
         gas_.calm();
+    }
+
+    if (mass_.valid())
+    {
+        gas_.massFlux() == mass_()/dimensionedScalar("dt", dimTime, deltaT);
     }
     return nSteps;
 }

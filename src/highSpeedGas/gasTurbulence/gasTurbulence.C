@@ -1,0 +1,138 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "gasTurbulence.H"
+
+Foam::gasTurbulence::gasTurbulence
+(
+    const gasMesh& geometry,
+    const volScalarField& rho,
+    const volVectorField& U,
+    const surfaceScalarField& phi,
+    fluidThermo& thermo,
+    const bool viscous
+)
+:
+    geometry_(geometry),
+    eddies_(false),
+    model_(nullptr)
+{
+    const fvMesh& mesh = geometry.mesh();
+    IOobject io
+    (
+        turbulenceModel::propertiesName,
+        mesh.time().constant(),
+        mesh,
+        IOobject::MUST_READ,
+        IOobject::NO_WRITE,
+        false
+    );
+    if (!io.typeHeaderOk<IOdictionary>(true))
+    {
+        return;
+    }
+
+    const IOdictionary properties(io);
+    const word type(properties.get<word>("simulationType"));
+    eddies_ = type != "laminar";
+
+    if (eddies_ && !viscous)
+    {
+        FatalIOErrorInFunction(properties)
+            << "simulationType " << type << " needs a gas with friction, but"
+            << " 'viscous' in the block highSpeedGas of system/fvSolution is"
+            << " no, or the viscosity is zero." << nl
+            << "Set 'viscous yes;' and a viscosity > 0, or 'simulationType"
+            << " laminar;'" << exit(FatalIOError);
+    }
+
+    const dictionary& laminar = properties.subOrEmptyDict("laminar");
+    const word model
+    (
+        laminar.getOrDefault<word>
+        (
+            "model", laminar.getOrDefault<word>("laminarModel", "Stokes")
+        )
+    );
+    if (!eddies_ && model != "Stokes")
+    {
+        FatalIOErrorInFunction(laminar)
+            << "Laminar model " << model << " is not that of a gas." << nl
+            << "Valid laminar model: Stokes" << exit(FatalIOError);
+    }
+
+    model_ = compressible::turbulenceModel::New(rho, U, phi, thermo);
+}
+
+
+void Foam::gasTurbulence::needSteadyScheme() const
+{
+    const fvMesh& mesh = geometry_.mesh();
+    const word scheme(mesh.ddtScheme("ddt(rho,k)"));
+    if (eddies_ && scheme != "steadyState")
+    {
+        FatalIOErrorInFunction(mesh.schemesDict().subDict("ddtSchemes"))
+            << "Entry default is " << scheme << ", but with mode steady the"
+            << " equations of the turbulence model must be solved for a"
+            << " steady state." << nl
+            << "Valid: steadyState (and relaxationFactors in system/fvSolution)"
+            << exit(FatalIOError);
+    }
+}
+
+
+void Foam::gasTurbulence::validate()
+{
+    if (model_.valid())
+    {
+        model_->validate();
+    }
+}
+
+
+void Foam::gasTurbulence::correct()
+{
+    if (model_.valid())
+    {
+        model_->correct();
+    }
+}
+
+
+void Foam::gasTurbulence::take
+(
+    std::vector<double>& mut,
+    std::vector<double>& alphat
+) const
+{
+    auto fill = [&](const volScalarField& from, std::vector<double>& to)
+    {
+        to.assign(geometry_.nSlots(), 0);
+        std::copy(from.begin(), from.end(), to.begin());
+        for (const gasMesh::patchRange& patch : geometry_.patches())
+        {
+            const fvPatchScalarField& pf = from.boundaryField()[patch.patchi];
+            double* ghost =
+                &to[geometry_.nCells() + patch.start - geometry_.nInternal()];
+            if (patch.symmetry)
+            {
+                const labelUList& cells = pf.patch().faceCells();
+                for (label i = 0; i < patch.size; i++)
+                {
+                    ghost[i] = from[cells[i]];
+                }
+            }
+            else
+            {
+                std::copy(pf.begin(), pf.end(), ghost);
+            }
+        }
+        geometry_.exchange(to.data(), 1);
+    };
+
+    const tmp<volScalarField> tmut(model_->mut());
+    fill(tmut(), mut);
+    const tmp<volScalarField> talphat(model_->alphat());
+    fill(talphat(), alphat);
+}
