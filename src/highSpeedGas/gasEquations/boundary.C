@@ -73,7 +73,8 @@ void Foam::gasEquations::setPatches()
         const fvPatchScalarField& pressure = thermo_.p().boundaryField()[patchi];
 
         const bool wedge = isA<wedgePolyPatch>(pp);
-        const bool slip = isA<basicSymmetryFvPatchVectorField>(Up);
+        const bool slip =
+            isA<basicSymmetryFvPatchVectorField>(Up) && !patch.symmetry;
 
         // Whether the condition on U lets no gas through at the start
         // (processor patches differ from rank to rank: no sums over them)
