@@ -70,7 +70,11 @@ def write_field(case, name, values, boundary, time="0"):
     dimensions, kind = {
         "p": ("[1 -1 -2 0 0 0 0]", "Scalar"),
         "T": ("[0 0 0 1 0 0 0]", "Scalar"),
-        "U": ("[0 1 -1 0 0 0 0]", "Vector")}[name]
+        "U": ("[0 1 -1 0 0 0 0]", "Vector"),
+        "k": ("[0 2 -2 0 0 0 0]", "Scalar"),
+        "omega": ("[0 0 -1 0 0 0 0]", "Scalar"),
+        "nut": ("[0 2 -1 0 0 0 0]", "Scalar"),
+        "alphat": ("[1 -1 -1 0 0 0 0]", "Scalar")}[name]
 
     def number(v):
         return (repr(float(v)) if np.ndim(v) == 0

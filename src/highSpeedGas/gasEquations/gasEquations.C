@@ -230,6 +230,15 @@ void Foam::gasEquations::readFields(const bool asWritten)
     initialiseFlux();
     if (asWritten)
     {
+        // A zero gradient writes no value: the reconstructed one of a wall is
+        // not in the file
+        for (fvPatchScalarField& pp : thermo_.p().boundaryFieldRef())
+        {
+            if (pp.type() == "zeroGradient")
+            {
+                pp.evaluate();
+            }
+        }
         takeBoundary();
     }
     else

@@ -33,7 +33,8 @@ Foam::gasTurbulence::gasTurbulence
         return;
     }
 
-    const IOdictionary properties(io);
+    properties_ = IOdictionary(io);
+    const dictionary& properties = properties_;
     const word type(properties.get<word>("simulationType"));
     eddies_ = type != "laminar";
 
@@ -66,17 +67,13 @@ Foam::gasTurbulence::gasTurbulence
 }
 
 
-void Foam::gasTurbulence::needSteadyScheme() const
+void Foam::gasTurbulence::refuseEddies(const string& why) const
 {
-    const fvMesh& mesh = geometry_.mesh();
-    const word scheme(mesh.ddtScheme("ddt(rho,k)"));
-    if (eddies_ && scheme != "steadyState")
+    if (eddies_)
     {
-        FatalIOErrorInFunction(mesh.schemesDict().subDict("ddtSchemes"))
-            << "Entry default is " << scheme << ", but with mode steady the"
-            << " equations of the turbulence model must be solved for a"
-            << " steady state." << nl
-            << "Valid: steadyState (and relaxationFactors in system/fvSolution)"
+        FatalIOErrorInFunction(properties_)
+            << "simulationType " << properties_.get<word>("simulationType")
+            << ": " << why << nl << "Valid simulationType: laminar"
             << exit(FatalIOError);
     }
 }

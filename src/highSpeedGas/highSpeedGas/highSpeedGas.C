@@ -378,7 +378,11 @@ Foam::highSpeedGas::highSpeedGas(const fvMesh& mesh)
     equations_->validateTurbulence();
     if (mode_ == modeType::steady)
     {
-        equations_->turbulence().needSteadyScheme();
+        equations_->turbulence().refuseEddies
+        (
+            "the steady march has no equations for it. Set 'mode transient;'"
+            " in the block highSpeedGas of system/fvSolution"
+        );
     }
 
     Info<< "Gas: mode " << modeNames[mode_]

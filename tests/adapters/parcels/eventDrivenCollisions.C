@@ -1087,7 +1087,7 @@ TEST_F(eventDrivenCollisionsTest, refusesBadInput)
     expect("dimension 3;", {"dimension", "3", "2"});
     expect("slabThickness 0;", {"slabThickness", "0", "(0, 1e12]"});
     expect("overlappingInjection ignore;", {"ignore", "refuse", "separate"});
-    expect("type stochastic;", {"collisions", "stochastic", "eventDriven"});
+    expect("type stochastic;", {"type stochastic", "eventDriven"});
     EXPECT_NE
     (
         refusal("solution{collisions on;}").find("off eventDriven"),

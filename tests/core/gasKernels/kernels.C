@@ -142,6 +142,10 @@ TEST(fluxes, takeTheUpwindStateInSupersonicFlow)
 {
     for (const std::string& name : Foam::fluxNames())
     {
+        if (name == "Tadmor")
+        {
+            continue;   // Central: the same dissipation both ways
+        }
         auto block = states(false);
         for (int i = 0; i < faceBlock::size; i++)
         {

@@ -108,7 +108,7 @@ angularBins::angularBins
     {
         refuse
         (
-            "direction of phi = 0", from,
+            "axis from", from,
             "must have a part across the axis"
         );
     }
