@@ -38,8 +38,9 @@ int main(int argc, char* argv[])
 
     Info<< "Starting time loop" << nl << endl;
 
-    while (runTime.loop())
+    while (completeWrite::run(runTime))
     {
+        ++runTime;
         gas.move();
         if (solids.valid())
         {

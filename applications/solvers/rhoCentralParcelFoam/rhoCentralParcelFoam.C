@@ -47,7 +47,7 @@ int main(int argc, char* argv[])
 
     Info<< nl << "Starting time loop" << nl << endl;
 
-    while (runTime.run())
+    while (completeWrite::run(runTime))
     {
         gas.setDeltaT(runTime);
         ++runTime;

@@ -134,6 +134,9 @@ static fileName markFolder(const Time& runTime, const word& timeName)
 
 } // End namespace Foam
 
+bool Foam::completeWrite::pending_ = false;
+
+
 
 bool Foam::completeWrite::unfinished(const fileName& timeFolder)
 {
@@ -299,7 +302,7 @@ bool Foam::completeWrite::write(Time& runTime)
     }
     begin(runTime);
     runTime.write();
-    end(runTime);
+    pending_ = true;
     return true;
 }
 
@@ -308,5 +311,17 @@ void Foam::completeWrite::writeNow(Time& runTime)
 {
     begin(runTime);
     runTime.writeNow();
-    end(runTime);
+    pending_ = true;
+}
+
+
+bool Foam::completeWrite::run(Time& runTime)
+{
+    const bool goesOn = runTime.run();
+    if (pending_)
+    {
+        end(runTime);
+        pending_ = false;
+    }
+    return goesOn;
 }

@@ -193,6 +193,32 @@ Foam::gasEquations::gasEquations
 }
 
 
+template<class Field>
+void Foam::gasEquations::evaluateCoupled(Field& field)
+{
+    auto& boundary = field.boundaryFieldRef();
+    const label startOfRequests = Pstream::nRequests();
+    for (auto& patch : boundary)
+    {
+        if (patch.coupled())
+        {
+            patch.initEvaluate(Pstream::commsTypes::nonBlocking);
+        }
+    }
+    if (Pstream::parRun())
+    {
+        Pstream::waitRequests(startOfRequests);
+    }
+    for (auto& patch : boundary)
+    {
+        if (patch.coupled())
+        {
+            patch.evaluate(Pstream::commsTypes::nonBlocking);
+        }
+    }
+}
+
+
 void Foam::gasEquations::readFields(const bool asWritten)
 {
     const scalarField& p = thermo_.p();
@@ -222,6 +248,13 @@ void Foam::gasEquations::readFields(const bool asWritten)
         {
             q[2 + d] = U[c][geometry_.direction(d)];
         }
+    }
+
+    if (asWritten)
+    {
+        evaluateCoupled(thermo_.p());
+        evaluateCoupled(thermo_.T());
+        evaluateCoupled(U_);
     }
 
     // A restart knows nothing but the fields
