@@ -211,6 +211,30 @@ void Foam::CrossSectionInjection<CloudType>::setEntry()
     }
 
     rate_ = stream_.parcelDensity()*flux;
+    sequenceRate_ = rate_;
+    if (quiet_)
+    {
+        vector empty(Zero);
+        if (mesh.nSolutionD() == 2)
+        {
+            for (direction d = 0; d < 3; ++d)
+            {
+                empty[d] = mesh.solutionD()[d] == -1;
+            }
+        }
+        section_ = entrySection(corners_, this->U0(), empty);
+        sequenceRate_ =
+            stream_.parcelDensity()*section_.area()
+           *mag(this->U0() - (this->U0() & empty)*empty);
+
+        // A section that is entered twice is met in a first few members
+        for (int64_t k = 0; k < 10000; ++k)
+        {
+            scalar instant;
+            point p;
+            entry(k, instant, p);
+        }
+    }
 
     // No memory holds them
     const scalar perStep =
@@ -225,6 +249,61 @@ void Foam::CrossSectionInjection<CloudType>::setEntry()
             "; raise nParticle"
         );
     }
+}
+
+
+template<class CloudType>
+bool Foam::CrossSectionInjection<CloudType>::entry
+(
+    const int64_t k,
+    scalar& instant,
+    point& p
+) const
+{
+    const uint32_t sequence = 2*this->modelIndex() + 1;
+    if (quiet_)
+    {
+        const auto draw = stream_.quietOf(k, sequence);
+        instant = draw.entry;
+        const bool plane = this->owner().mesh().nSolutionD() == 2;
+        const auto result =
+            section_.enter(draw.a, plane ? 0.5 : draw.b, p);
+        if (result == entrySection::entries::several)
+        {
+            refuse
+            (
+                this->coeffDict(), "arrival", "quiet", "random where lines"
+                " along U0 enter through the patches more than once, as they"
+                " do near ", p
+            );
+        }
+        return result == entrySection::entries::one;
+    }
+
+    const auto random = stream_.drawOf(nBox_ + k, sequence);
+    instant = random.entry;
+    const scalar flux = random.a*cumulativeFlux_.last();
+    const label triangle = min
+    (
+        label
+        (
+            std::upper_bound
+            (
+                cumulativeFlux_.begin(),
+                cumulativeFlux_.end(),
+                flux
+            )
+          - cumulativeFlux_.begin()
+        ),
+        cumulativeFlux_.size() - 1
+    );
+    const point& a = corners_[3*triangle];
+    const scalar root = Foam::sqrt(random.b);
+    p =
+        a
+      + root*(1 - random.c)*(corners_[3*triangle + 1] - a)
+      + root*random.c*(corners_[3*triangle + 2] - a);
+    return true;
 }
 
 
@@ -274,25 +353,23 @@ void Foam::CrossSectionInjection<CloudType>::select
     {
         return;
     }
-    const uint32_t sequence = 2*this->modelIndex();
 
     if (!filled_)
     {
         filled_ = true;
+        const uint32_t sequence = 2*this->modelIndex();
         const vector span(box_.span());
         const vector drift(this->U0()*max(t0 - this->SOI_, scalar(0)));
         for (int64_t k = 0; k < nBox_; ++k)
         {
-            const auto random = stream_.drawOf(k, sequence);
+            const auto draw =
+                quiet_
+              ? stream_.quietOf(k, sequence)
+              : stream_.drawOf(k, sequence);
             const point p
             (
                 box_.min()
-              + vector
-                (
-                    random.a*span.x(),
-                    random.b*span.y(),
-                    random.c*span.z()
-                )
+              + vector(draw.a*span.x(), draw.b*span.y(), draw.c*span.z())
             );
             if (behindFront(p, this->SOI_))
             {
@@ -303,7 +380,7 @@ void Foam::CrossSectionInjection<CloudType>::select
 
     // Parcels that entered so long ago that they have left again
     const scalar oldest =
-        (t0 - this->SOI_ - meshLength()/mag(this->U0()))*rate_;
+        (t0 - this->SOI_ - meshLength()/mag(this->U0()))*sequenceRate_;
     if (oldest > next_)
     {
         next_ = oldest;
@@ -311,41 +388,18 @@ void Foam::CrossSectionInjection<CloudType>::select
 
     for (;; ++next_)
     {
-        const int64_t k = nBox_ + next_;
-        const auto random = stream_.drawOf(k, sequence + 1);
-        const scalar since = (next_ + random.entry)/rate_;
+        scalar instant;
+        point p;
+        const bool enters = entry(next_, instant, p);
+        const scalar since = (next_ + instant)/sequenceRate_;
         const scalar t = this->SOI_ + since;
         if (t > t0 || since > duration_)
         {
             break;
         }
-
-        const scalar flux = random.a*cumulativeFlux_.last();
-        const label triangle = min
-        (
-            label
-            (
-                std::upper_bound
-                (
-                    cumulativeFlux_.begin(),
-                    cumulativeFlux_.end(),
-                    flux
-                )
-              - cumulativeFlux_.begin()
-            ),
-            cumulativeFlux_.size() - 1
-        );
-        const point& a = corners_[3*triangle];
-        const scalar root = Foam::sqrt(random.b);
-        const point p
-        (
-            a
-          + root*(1 - random.c)*(corners_[3*triangle + 1] - a)
-          + root*random.c*(corners_[3*triangle + 2] - a)
-        );
-        if (behindFront(p, t))
+        if (enters && behindFront(p, t))
         {
-            parcels.append(parcel(p + (t0 - t)*this->U0(), k));
+            parcels.append(parcel(p + (t0 - t)*this->U0(), nBox_ + next_));
         }
     }
 }
@@ -375,10 +429,14 @@ Foam::CrossSectionInjection<CloudType>::CrossSectionInjection
         dict, owner, modelName, typeName,
         {
             "patches", "volumeFraction", "sizes", "seed", "duration", "front",
-            "prefill"
+            "prefill", "arrival"
         }
     ),
     stream_(makeStream(dict)),
+    quiet_
+    (
+        getWord(this->coeffDict(), "arrival", {"random", "quiet"}) == "quiet"
+    ),
     duration_
     (
         getNumber
@@ -397,7 +455,9 @@ Foam::CrossSectionInjection<CloudType>::CrossSectionInjection
     prefill_(this->coeffDict().found("prefill")),
     box_(),
     nBox_(0),
+    section_(),
     rate_(0),
+    sequenceRate_(0),
     next_(this->template getModelProperty<label>("next")),
     filled_(this->template getModelProperty<label>("filled"))
 {

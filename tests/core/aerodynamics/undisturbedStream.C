@@ -61,6 +61,87 @@ TEST(undisturbedStream, keepsTheShareOfEachSizeAtAnyTime)
 }
 
 
+namespace
+{
+    // What a wall might count: parcels that enter in a part of time and of
+    // the section, of one size, weighted
+    double mean(const undisturbedStream& stream, int n, bool quiet)
+    {
+        double sum = 0;
+        for (int k = 0; k < n; ++k)
+        {
+            const auto draw =
+                quiet ? stream.quietOf(k, 1) : stream.drawOf(k, 1);
+            const double t = (k + draw.entry)/n;
+            if (t > 0.2 && t < 0.9 && draw.a > 0.13 && draw.a < 0.71)
+            {
+                sum += (1 + draw.b)*(stream.sizeOf(k) == 1);
+            }
+        }
+        return sum/n;
+    }
+
+    double errorOf(int n, bool quiet)
+    {
+        double sum = 0, square = 0;
+        const int repeats = 40;
+        const double truth = 0.7*0.58*1.5*0.75;
+        for (int seed = 0; seed < repeats; ++seed)
+        {
+            const undisturbedStream stream
+            (
+                1e-5,
+                {{5e-6, 0.25, 1}, {5e-6, 0.75, 1}},
+                seed
+            );
+            const double x = mean(stream, n, quiet) - truth;
+            sum += x;
+            square += x*x;
+        }
+        const double error = std::sqrt(square/repeats);
+
+        // Unbiased: the mean of the repeats is within its own noise
+        EXPECT_LT(std::fabs(sum/repeats), 4*error/std::sqrt(repeats));
+        return error;
+    }
+}
+
+
+TEST(undisturbedStream, aQuietOneErrsLikeOneOverN)
+{
+    const double few = errorOf(256, true);
+    const double many = errorOf(65536, true);
+    const double slope = std::log(many/few)/std::log(65536/256);
+    EXPECT_LT(slope, -0.8);
+
+    const double random = errorOf(65536, false);
+    EXPECT_GT(random/many, 20);
+    RecordProperty("slope", std::to_string(slope));
+    RecordProperty("gain", std::to_string(random/many));
+}
+
+
+TEST(undisturbedStream, aQuietOneFillsEveryIntervalAlike)
+{
+    const undisturbedStream stream(1e-5, {{5e-6, 1, 1}}, 7);
+    for (int first = 0; first < 4096; first += 256)
+    {
+        int counts[16] = {};
+        for (int k = first; k < first + 256; ++k)
+        {
+            const auto draw = stream.quietOf(k, 0);
+            EXPECT_GT(draw.a, 0);
+            EXPECT_LT(draw.a, 1);
+            ++counts[int(16*draw.a)];
+        }
+        for (int n : counts)
+        {
+            EXPECT_EQ(n, 16);
+        }
+    }
+}
+
+
 TEST(undisturbedStream, refusesBadInput)
 {
     typedef std::vector<undisturbedStream::sizeClass> list;

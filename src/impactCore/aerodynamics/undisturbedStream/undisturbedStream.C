@@ -8,6 +8,27 @@
 
 #include <cmath>
 
+double impact::undisturbedStream::vanDerCorput
+(
+    std::uint64_t k,
+    int base,
+    double shift
+)
+{
+    double x = shift;
+    double place = 1;
+    for (; k; k /= base)
+    {
+        place /= base;
+        x += place*double(k % base);
+    }
+    x -= std::floor(x);
+
+    // In the open interval
+    return std::fmin(std::fmax(x, 0x1p-53), 1 - 0x1p-53);
+}
+
+
 impact::undisturbedStream::undisturbedStream
 (
     double volumeFraction,
@@ -97,5 +118,32 @@ impact::undisturbedStream::draw impact::undisturbedStream::drawOf
     result.a = random.uniform();
     result.b = random.uniform();
     result.c = random.uniform();
+    return result;
+}
+
+
+impact::undisturbedStream::draw impact::undisturbedStream::quietOf
+(
+    std::uint64_t k,
+    std::uint32_t sequence
+) const
+{
+    // The stream of random numbers that no parcel has
+    counterRandom random(seed_, ~std::uint64_t(0), sequence);
+    draw result;
+    result.entry = random.uniform();
+    std::uint64_t mask = std::uint64_t(random.bits()) << 32;
+    mask |= random.bits();
+
+    // In base 2 the bits of the number itself, turned round. A shift of the
+    // bits instead of the sum keeps every dyadic interval as full as it was.
+    std::uint64_t bits = 0;
+    for (int i = 0; i < 64; ++i)
+    {
+        bits |= ((k >> i) & 1) << (63 - i);
+    }
+    result.a = (double((bits ^ mask) >> 12) + 0.5)*0x1p-52;
+    result.b = vanDerCorput(k, 3, random.uniform());
+    result.c = vanDerCorput(k, 5, random.uniform());
     return result;
 }
