@@ -35,13 +35,23 @@ namespace
         label target;
     };
 
-    facePlane planeThrough
-    (
-        const vector& n,
-        const vector& at,
-        const label target
-    )
+    facePlane planeThrough(vector n, const vector& at, const label target)
     {
+        // What is normal to an axis but for rounding is so to the last bit:
+        // buildBounds
+        for (Foam::direction d = 0; d < 3; ++d)
+        {
+            if (Foam::mag(Foam::mag(n[d]) - 1) < 1e-12)
+            {
+                const scalar sign = n[d] > 0 ? 1 : -1;
+                vector axis(Foam::Zero);
+                axis[d] = sign;
+                if (Foam::mag(n - axis) < 1e-12)
+                {
+                    n = axis;
+                }
+            }
+        }
         return facePlane{n, n & at, target};
     }
 
@@ -379,6 +389,69 @@ void Foam::convexCells::buildCells(const boolList& split)
 }
 
 
+void Foam::convexCells::buildBounds()
+{
+    using namespace walkKernels;
+
+    const label nCells = size();
+    bounds_.resize(boundStride*nCells, 0);
+    beyond_.resize(boundStride*nCells, -1);
+    label nBoxes = 0;
+    for (label c = 0; c < nCells; ++c)
+    {
+        double* bounds = &bounds_[boundStride*c];
+        std::int32_t* beyond = &beyond_[boundStride*c];
+
+        // Each plane once, its normal without any other component: the bound
+        // is then its distance to the last bit
+        label met = 0;
+        bool box = true;
+        const label last = width*firstGroup_[c + 1];
+        for (label k = width*firstGroup_[c]; k < last; ++k)
+        {
+            const double* p = &planes_[stride*(k/width) + k % width];
+            const double n[3] = {p[0], p[width], p[2*width]};
+            if (n[0] == 0 && n[1] == 0 && n[2] == 0)
+            {
+                continue;
+            }
+            label place = -1;
+            for (label d = 0; d < 3; ++d)
+            {
+                if
+                (
+                    mag(n[d]) == 1
+                 && n[(d + 1) % 3] == 0
+                 && n[(d + 2) % 3] == 0
+                )
+                {
+                    place = n[d] > 0 ? width + d : d;
+                    bounds[place] = n[d]*p[3*width];
+                    beyond[place] = targets_[k];
+                }
+            }
+            box = box && place >= 0 && !(met & (1 << place));
+            met |= place >= 0 ? 1 << place : 0;
+        }
+        const label all = 7 | (7 << width);
+        if (box && met == all)
+        {
+            ++nBoxes;
+        }
+        else
+        {
+            bounds[0] = 1;
+            bounds[width] = 0;
+        }
+    }
+    if (!nBoxes)
+    {
+        bounds_ = std::vector<double>();
+        beyond_ = std::vector<std::int32_t>();
+    }
+}
+
+
 void Foam::convexCells::buildBoundary()
 {
     const label nInternal = mesh_.nInternalFaces();
@@ -500,6 +573,7 @@ Foam::convexCells::convexCells(const polyMesh& mesh)
     moving_(vector::one)
 {
     buildCells(cellsToSplit());
+    buildBounds();
     buildBoundary();
 
     for (direction d = 0; d < 3; ++d)

@@ -346,29 +346,17 @@ void Foam::particleArray<Payload>::move(const scalar dt, Boundary& boundary)
 
     leavers_.resize(nSorted + 1);
     stopped_.resize(nSorted + 1);
-    const label nLeavers = walkKernels::fly
+    const label nStopped = walkKernels::fly
     (
         nSorted ? cells_.size() : 0,
         start_.data(),
-        cells_.firstGroup(),
-        cells_.planes(),
+        cells_.shapes(),
         x(), y(), z(),
         u(), v(), w(),
         dts.cdata(),
-        leavers_.data()
-    );
-    const label nStopped = walkKernels::cross
-    (
-        nLeavers,
+        cell_.data(),
         leavers_.data(),
-        stopped_.data(),
-        cells_.firstGroup(),
-        cells_.planes(),
-        cells_.targets(),
-        x(), y(), z(),
-        u(), v(), w(),
-        dts.cdata(),
-        cell_.data()
+        stopped_.data()
     );
     for (label k = 0; k < nStopped; ++k)
     {

@@ -27,6 +27,11 @@ namespace
         return a;
     }
 
+    inKernel void store(double* p, const lanes a)
+    {
+        std::memcpy(p, &a, sizeof(a));
+    }
+
     inKernel lanes all(const double a)
     {
         return lanes{a, a, a, a};
@@ -46,35 +51,113 @@ namespace
         return all(0.5)*(a + size);
     }
 
-    const std::int32_t maxCrossings = 100000;
-}
-
-
-impactKernel
-std::int32_t Foam::walkKernels::fly
-(
-    std::int32_t nCells,
-    const std::int32_t* start,
-    const std::int32_t* firstGroup,
-    const double* planes,
-    double* x,
-    double* y,
-    double* z,
-    const double* u,
-    const double* v,
-    const double* w,
-    const double* dt,
-    std::int32_t* leavers
-)
-{
-    std::int32_t n = 0;
-    const double dtx = dt[0], dty = dt[1], dtz = dt[2];
-
-    for (std::int32_t c = 0; c < nCells; ++c)
+    //- a or b by the bits: of a selection the compiler makes a branch, which is
+    //  mispredicted for as many particles as leave their cells
+    inKernel double choose(const bool first, const double a, const double b)
     {
-        const double* first = planes + stride*std::int64_t(firstGroup[c]);
-        const double* last = planes + stride*std::int64_t(firstGroup[c + 1]);
+        std::int64_t ia, ib;
+        std::memcpy(&ia, &a, sizeof(a));
+        std::memcpy(&ib, &b, sizeof(b));
+        const std::int64_t mask = -std::int64_t(first);
+        const std::int64_t ic = ib ^ ((ia ^ ib) & mask);
+        double c;
+        std::memcpy(&c, &ic, sizeof(c));
+        return c;
+    }
 
+    const std::int32_t maxCrossings = 100000;
+
+    //- Cells of a block: their particles and planes fit the nearest cache
+    const std::int32_t blockSize = 128;
+
+    typedef Foam::walkKernels::convexShapes convexShapes;
+
+    inKernel bool isBox(const convexShapes& shapes, const std::int32_t c)
+    {
+        using Foam::walkKernels::boundStride;
+        const double* b = shapes.bounds + boundStride*std::int64_t(c);
+        return b[0] <= b[4];
+    }
+
+
+    //- Of the particles of a cell those that stay fly; the others are listed
+    inKernel std::int32_t stay
+    (
+        const std::int32_t c,
+        const std::int32_t nAll,
+        const std::int32_t* start,
+        const convexShapes& shapes,
+        double* x,
+        double* y,
+        double* z,
+        const double* u,
+        const double* v,
+        const double* w,
+        const double* dt,
+        std::int32_t* leavers
+    )
+    {
+        const double dtx = dt[0], dty = dt[1], dtz = dt[2];
+        std::int32_t n = 0;
+
+        if (shapes.bounds && isBox(shapes, c))
+        {
+            // Four particles at once; the last of the cell with some of the
+            // next one, which stay as they are
+            const double* b =
+                shapes.bounds + Foam::walkKernels::boundStride*std::int64_t(c);
+            const lanes low[3] = {all(b[0]), all(b[1]), all(b[2])};
+            const lanes high[3] = {all(b[4]), all(b[5]), all(b[6])};
+            const std::int32_t end = start[c + 1];
+            std::int32_t i = start[c];
+            const std::int32_t safe = nAll - width + 1;
+            for (; i < end && i < safe; i += width)
+            {
+                const lanes x0 = load(x + i);
+                const lanes y0 = load(y + i);
+                const lanes z0 = load(z + i);
+                const lanes xe = x0 + all(dtx)*load(u + i);
+                const lanes ye = y0 + all(dty)*load(v + i);
+                const lanes ze = z0 + all(dtz)*load(w + i);
+                const marks number = marks{0, 1, 2, 3} + std::int64_t(i);
+                const marks here = number < std::int64_t(end);
+                const marks out =
+                    (xe < low[0]) | (xe > high[0])
+                  | (ye < low[1]) | (ye > high[1])
+                  | (ze < low[2]) | (ze > high[2]);
+                const marks stays = here & ~out;
+                const marks leaves = here & out;
+                store(x + i, stays ? xe : x0);
+                store(y + i, stays ? ye : y0);
+                store(z + i, stays ? ze : z0);
+                for (int k = 0; k < width; ++k)
+                {
+                    leavers[n] = i + k;
+                    n -= std::int32_t(leaves[k]);
+                }
+            }
+            for (; i < end; ++i)
+            {
+                const double xe = x[i] + dtx*u[i];
+                const double ye = y[i] + dty*v[i];
+                const double ze = z[i] + dtz*w[i];
+                const bool leaves =
+                    (xe < b[0]) | (xe > b[4])
+                  | (ye < b[1]) | (ye > b[5])
+                  | (ze < b[2]) | (ze > b[6]);
+                leavers[n] = i;
+                n += leaves;
+                x[i] = choose(leaves, x[i], xe);
+                y[i] = choose(leaves, y[i], ye);
+                z[i] = choose(leaves, z[i], ze);
+            }
+            return n;
+        }
+
+        const double* first =
+            shapes.planes + stride*std::int64_t(shapes.firstGroup[c]);
+        const double* last =
+            shapes.planes + stride*std::int64_t(shapes.firstGroup[c + 1]);
         for (std::int32_t i = start[c]; i < start[c + 1]; ++i)
         {
             const double xe = x[i] + dtx*u[i];
@@ -94,27 +177,120 @@ std::int32_t Foam::walkKernels::fly
             worst = worst > other ? worst : other;
             const bool leaves = (worst[0] > 0) | (worst[1] > 0);
 
-            // No branch: whether a particle leaves is hard to predict
             leavers[n] = i;
             n += leaves;
-            x[i] = leaves ? x[i] : xe;
-            y[i] = leaves ? y[i] : ye;
-            z[i] = leaves ? z[i] : ze;
+            x[i] = choose(leaves, x[i], xe);
+            y[i] = choose(leaves, y[i], ye);
+            z[i] = choose(leaves, z[i], ze);
         }
+        return n;
     }
-    return n;
+
+
+    //- Of each lane and its partner the earlier one
+    inKernel void pairUp(lanes& time, marks& place, const marks& partner)
+    {
+        const lanes other = __builtin_shuffle(time, partner);
+        const marks otherPlace = __builtin_shuffle(place, partner);
+        const marks earlier = other < time;
+        time = earlier ? other : time;
+        place = earlier ? otherPlace : place;
+    }
+
+
+    //- The earliest of four, and its place, become the first
+    inKernel void earliest(lanes& time, marks& place)
+    {
+        pairUp(time, place, marks{2, 3, 0, 1});
+        pairUp(time, place, marks{1, 0, 3, 2});
+    }
+
+
+    //- Where a flight of one time step from x leaves a cell
+    struct wayOut
+    {
+        bool arrives;
+        std::int32_t next;
+    };
+
+    // Speeds below this are parallel to a face; no quotient overflows, since
+    // no length is above 1e100 m
+    const double still = 1e-200;
+    const double far = 1e100;
+
+    inKernel wayOut leave
+    (
+        const convexShapes& shapes,
+        const std::int32_t c,
+        const double x,
+        const double y,
+        const double z,
+        const double ux,
+        const double uy,
+        const double uz
+    )
+    {
+        if (shapes.bounds && isBox(shapes, c))
+        {
+            using Foam::walkKernels::boundStride;
+            const double* b = shapes.bounds + boundStride*std::int64_t(c);
+            const lanes position = {x, y, z, 0};
+            const lanes speed = {ux, uy, uz, 0};
+            const marks up = speed > all(0);
+            const lanes depth =
+                up ? load(b + width) - position : position - load(b);
+            const lanes size = positive(speed) + positive(-speed);
+            const marks out = size > all(still);
+            const lanes quotient = depth/(size + all(still));
+            lanes time = out ? quotient : all(far);
+            marks place = marks{0, 1, 2, 3} - up*width;
+
+            earliest(time, place);
+            return
+            {
+                !(time[0] < 1),
+                shapes.beyond[boundStride*std::int64_t(c) + place[0]]
+            };
+        }
+
+        const std::int32_t g = shapes.firstGroup[c];
+        const double* p = shapes.planes + stride*std::int64_t(g);
+        const double* last =
+            shapes.planes + stride*std::int64_t(shapes.firstGroup[c + 1]);
+        marks here = {0, 1, 2, 3};
+        here += width*std::int64_t(g);
+        lanes least = all(1);
+        marks place = {-1, -1, -1, -1};
+        for (; p < last; p += stride)
+        {
+            const lanes nx = load(p);
+            const lanes ny = load(p + width);
+            const lanes nz = load(p + 2*width);
+            const lanes speed = nx*all(ux) + ny*all(uy) + nz*all(uz);
+            const lanes depth =
+                load(p + 3*width) - (nx*all(x) + ny*all(y) + nz*all(z));
+            const marks out = speed > all(still);
+            const lanes quotient = depth/(positive(speed) + all(still));
+            const lanes time = out ? quotient : all(far);
+            const marks earlier = time < least;
+            least = earlier ? time : least;
+            place = earlier ? here : place;
+            here += width;
+        }
+
+        earliest(least, place);
+        const bool arrives = place[0] < 0;
+        return {arrives, shapes.targets[arrives ? 0 : place[0]]};
+    }
 }
 
 
 impactKernel
-std::int32_t Foam::walkKernels::cross
+std::int32_t Foam::walkKernels::fly
 (
-    std::int32_t n,
-    std::int32_t* leavers,
-    std::int32_t* stopped,
-    const std::int32_t* firstGroup,
-    const double* planes,
-    const std::int32_t* targets,
+    std::int32_t nCells,
+    const std::int32_t* start,
+    const convexShapes& shapes,
     double* x,
     double* y,
     double* z,
@@ -122,83 +298,61 @@ std::int32_t Foam::walkKernels::cross
     const double* v,
     const double* w,
     const double* dt,
-    std::int32_t* cell
+    std::int32_t* cell,
+    std::int32_t* leavers,
+    std::int32_t* stopped
 )
 {
-    // Speeds below this are parallel to a face; no quotient overflows, since
-    // no length is above 1e100 m
-    const double still = 1e-200;
-    const double far = 1e100;
-
-    // All cross one face, then those that go on the next: none of the
-    // branches depends on a single particle
     std::int32_t nStopped = 0;
-    for (std::int32_t crossing = 0; n && crossing < maxCrossings; ++crossing)
+    for (std::int32_t begin = 0; begin < nCells; begin += blockSize)
     {
-        std::int32_t nOn = 0;
+        const std::int32_t end =
+            begin + blockSize < nCells ? begin + blockSize : nCells;
+        std::int32_t n = 0;
+        for (std::int32_t c = begin; c < end; ++c)
+        {
+            n += stay
+            (
+                c, start[nCells], start, shapes, x, y, z, u, v, w, dt,
+                leavers + n
+            );
+        }
+
+        // All cross one face, then those that go on the next: none of the
+        // branches depends on a single particle
+        for (std::int32_t crossing = 0; n && crossing < maxCrossings; ++crossing)
+        {
+            std::int32_t nOn = 0;
+            for (std::int32_t k = 0; k < n; ++k)
+            {
+                const std::int32_t i = leavers[k];
+
+                // In units of the time step
+                const double ux = dt[0]*u[i];
+                const double uy = dt[1]*v[i];
+                const double uz = dt[2]*w[i];
+                const wayOut way =
+                    leave(shapes, cell[i], x[i], y[i], z[i], ux, uy, uz);
+                const bool stops = !way.arrives & (way.next < 0);
+                const bool on = !way.arrives & (way.next >= 0);
+
+                x[i] = choose(way.arrives, x[i] + ux, x[i]);
+                y[i] = choose(way.arrives, y[i] + uy, y[i]);
+                z[i] = choose(way.arrives, z[i] + uz, z[i]);
+                cell[i] = on ? way.next : cell[i];
+                leavers[nOn] = i;
+                nOn += on;
+                stopped[nStopped] = i;
+                nStopped += stops;
+            }
+            n = nOn;
+        }
+
+        // Whoever goes round and round
         for (std::int32_t k = 0; k < n; ++k)
         {
-            const std::int32_t i = leavers[k];
-
-            // In units of the time step
-            const double ux = dt[0]*u[i], uy = dt[1]*v[i], uz = dt[2]*w[i];
-
-            const std::int32_t g = firstGroup[cell[i]];
-            const double* p = planes + stride*std::int64_t(g);
-            const double* last =
-                planes + stride*std::int64_t(firstGroup[cell[i] + 1]);
-            marks here = {0, 1, 2, 3};
-            here += width*std::int64_t(g);
-            lanes least = all(1);
-            marks place = {-1, -1, -1, -1};
-            for (; p < last; p += stride)
-            {
-                const lanes nx = load(p);
-                const lanes ny = load(p + width);
-                const lanes nz = load(p + 2*width);
-                const lanes speed = nx*all(ux) + ny*all(uy) + nz*all(uz);
-                const lanes depth =
-                    load(p + 3*width)
-                  - (nx*all(x[i]) + ny*all(y[i]) + nz*all(z[i]));
-                const marks out = speed > all(still);
-                const lanes quotient = depth/(positive(speed) + all(still));
-                const lanes time = out ? quotient : all(far);
-                const marks earlier = time < least;
-                least = earlier ? time : least;
-                place = earlier ? here : place;
-                here += width;
-            }
-
-            // The earliest of the four
-            const marks turn = {2, 3, 0, 1};
-            const lanes time = __builtin_shuffle(least, turn);
-            const marks earlier = time < least;
-            least = earlier ? time : least;
-            place = earlier ? __builtin_shuffle(place, turn) : place;
-            const std::int64_t exit =
-                least[1] < least[0] ? place[1] : place[0];
-
-            const bool arrived = exit < 0;
-            const std::int32_t next = targets[arrived ? 0 : exit];
-            const bool stops = !arrived & (next < 0);
-            const bool on = !arrived & (next >= 0);
-
-            x[i] = arrived ? x[i] + ux : x[i];
-            y[i] = arrived ? y[i] + uy : y[i];
-            z[i] = arrived ? z[i] + uz : z[i];
-            cell[i] = on ? next : cell[i];
-            leavers[nOn] = i;
-            nOn += on;
-            stopped[nStopped] = i;
-            nStopped += stops;
+            stopped[nStopped++] = leavers[k];
         }
-        n = nOn;
-    }
-
-    // Whoever goes round and round
-    for (std::int32_t k = 0; k < n; ++k)
-    {
-        stopped[nStopped++] = leavers[k];
     }
     return nStopped;
 }

@@ -202,3 +202,102 @@ TEST_F(convexCellsTest, concaveMeshWithoutDecompositionIsRefused)
     }
     EXPECT_NE(said.find("no decomposition"), std::string::npos) << said;
 }
+
+
+TEST_F(convexCellsTest, boundsGiveWhatPlanesGive)
+{
+    for (const bool warped : {false, true})
+    {
+        if (warped)
+        {
+            warp();
+        }
+        const convexCells cells(mesh_());
+        ASSERT_NE(cells.shapes().bounds, nullptr);
+
+        struct particles
+        {
+            std::vector<std::int32_t> start, cell, leavers, stopped;
+            std::vector<double> x[6];
+        };
+        particles a;
+        impact::counterRandom rnd(9);
+        a.start.assign(1, 0);
+        for (label c = 0; c < cells.size(); ++c)
+        {
+            const label n = label(20*rnd.uniform());
+            for (label i = 0; i < n; ++i)
+            {
+                // A point of the cell's mesh cell in the convex cell
+                const point& centre =
+                    mesh_->cellCentres()[cells.meshCell(c)];
+                vector3 x;
+                do
+                {
+                    x =
+                    {
+                        centre.x() + 0.25*(rnd.uniform() - 0.5),
+                        centre.y() + 0.25*(rnd.uniform() - 0.5),
+                        centre.z() + 0.25*(rnd.uniform() - 0.5)
+                    };
+                }
+                while (cells.height(c, x) > 0);
+                const double all[6] =
+                {
+                    x.x, x.y, x.z,
+                    rnd.normal(), i % 7 ? rnd.normal() : 0, rnd.normal()
+                };
+                for (label d = 0; d < 6; ++d)
+                {
+                    a.x[d].push_back(all[d]);
+                }
+                a.cell.push_back(c);
+            }
+            a.start.push_back(a.cell.size());
+        }
+        a.leavers.resize(a.cell.size() + 1);
+        a.stopped.resize(a.cell.size() + 1);
+        particles b(a);
+
+        const double dt[3] = {0.1, 0.1, 0.1};
+        const auto fly = [&](particles& p, const bool bounds)
+        {
+            walkKernels::convexShapes shapes = cells.shapes();
+            if (!bounds)
+            {
+                shapes.bounds = nullptr;
+            }
+            p.stopped.resize
+            (
+                walkKernels::fly
+                (
+                    cells.size(), p.start.data(), shapes,
+                    p.x[0].data(), p.x[1].data(), p.x[2].data(),
+                    p.x[3].data(), p.x[4].data(), p.x[5].data(),
+                    dt, p.cell.data(), p.leavers.data(), p.stopped.data()
+                )
+            );
+        };
+        fly(a, true);
+        fly(b, false);
+        EXPECT_GT(a.stopped.size(), 10);
+        EXPECT_EQ(a.stopped, b.stopped);
+        EXPECT_EQ(a.cell, b.cell);
+        for (label d = 0; d < 6; ++d)
+        {
+            EXPECT_EQ(a.x[d], b.x[d]);
+        }
+
+        // Those that arrive are in their cell
+        std::vector<bool> stopped(a.cell.size(), false);
+        for (const std::int32_t i : a.stopped)
+        {
+            stopped[i] = true;
+        }
+        for (label i = 0; i < label(a.cell.size()); ++i)
+        {
+            const vector3 x{a.x[0][i], a.x[1][i], a.x[2][i]};
+            EXPECT_TRUE(stopped[i] || cells.height(a.cell[i], x) < 1e-14);
+        }
+    }
+}
