@@ -7,6 +7,7 @@ Description
     torque, the limit on evaluations.
 \*---------------------------------------------------------------------------*/
 
+#include "hendersonDrag.H"
 #include "particleMotion.H"
 
 #include <gtest/gtest.h>

@@ -3,42 +3,24 @@
 \*---------------------------------------------------------------------------*/
 
 #include "hendersonDrag.H"
+#include "compressibleRange.H"
 
+#include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string>
 
-namespace
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+double impact::hendersonDrag::subsonic
+(
+    double Re,
+    double K,
+    double M,
+    double TpOverT
+) const
 {
+    const double slipAmplitude =
+        (3.65 - 1.53*TpOverT)/(1 + 0.353*TpOverT);
 
-double checked(double value, double lower, const char* name)
-{
-    // A NaN in an ordered comparison would raise the trap it is refused for
-    if (!std::isfinite(value) || value <= lower)
-    {
-        throw std::invalid_argument
-        (
-            std::string("hendersonDrag: ") + name + " = "
-          + std::to_string(value) + " is outside the valid range ("
-          + std::to_string(lower) + ", infinity)"
-        );
-    }
-    return value;
-}
-
-} // End anonymous namespace
-
-
-impact::hendersonDrag::hendersonDrag(double gamma, double TwOverT)
-:
-    sqrtHalfGamma_(std::sqrt(0.5*checked(gamma, 1, "gamma"))),
-    sqrtTwOverT_(std::sqrt(checked(TwOverT, 0, "TwOverT"))),
-    slipAmplitude_((3.65 - 1.53*TwOverT)/(1 + 0.353*TwOverT))
-{}
-
-
-double impact::hendersonDrag::subsonic(double Re, double K, double M) const
-{
     // Below 0.247/40 the exponential is lost in the rounding of 4.33, and
     // near zero the quotient would overflow
     const double SOverRe = K*sqrtHalfGamma_;
@@ -46,7 +28,7 @@ double impact::hendersonDrag::subsonic(double Re, double K, double M) const
         SOverRe
        *(
             SOverRe > 0.247/40
-          ? 4.33 + slipAmplitude_*std::exp(-0.247/SOverRe)
+          ? 4.33 + slipAmplitude*std::exp(-0.247/SOverRe)
           : 4.33
         );
 
@@ -70,7 +52,13 @@ double impact::hendersonDrag::subsonic(double Re, double K, double M) const
 }
 
 
-double impact::hendersonDrag::supersonic(double Re, double K, double M) const
+double impact::hendersonDrag::supersonic
+(
+    double Re,
+    double K,
+    double M,
+    double TpOverT
+) const
 {
     const double S1 = 1/(M*sqrtHalfGamma_);
     const double S2 = S1*S1;
@@ -80,29 +68,52 @@ double impact::hendersonDrag::supersonic(double Re, double K, double M) const
         Re
        *(
             0.9 + 0.34/(M*M)
-          + rarefaction*(2 + 2*S2 + 1.058*S1*sqrtTwOverT_ - S2*S2)
+          + rarefaction*(2 + 2*S2 + 1.058*S1*std::sqrt(TpOverT) - S2*S2)
         )
        /(1 + rarefaction);
 }
 
 
-double impact::hendersonDrag::CdRe(double Re, double K) const
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+impact::hendersonDrag::hendersonDrag(double gamma, double TpOverT)
+:
+    dragLawOf<hendersonDrag>(TpOverT),
+    sqrtHalfGamma_(std::sqrt(0.5*compressibleRange::checkedGamma(gamma)))
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+double impact::hendersonDrag::of(double Re, double K, double ratio) const
 {
-    const double M = K*Re;
+    // From 5285 on the slip correction of the fit would turn negative
+    const double TpOverT = std::min(ratio, compressibleRange::highestTpOverT);
+
+    // All terms are at their limits long before
+    const double M = std::min(K*Re, compressibleRange::highestMach);
 
     if (M <= 1)
     {
-        return subsonic(Re, K, M);
+        return subsonic(Re, K, M, TpOverT);
     }
 
     if (M >= 1.75)
     {
-        return supersonic(Re, K, M);
+        return supersonic(Re, K, M, TpOverT);
     }
 
     // The ends of the interpolation have this Re, hence another K
     const double w = (M - 1)/0.75;
     return
-        (1 - w)*subsonic(Re, 1/Re, 1)
-      + w*supersonic(Re, 1.75/Re, 1.75);
+        (1 - w)*subsonic(Re, 1/Re, 1, TpOverT)
+      + w*supersonic(Re, 1.75/Re, 1.75, TpOverT);
+}
+
+
+impact::hendersonDrag impact::hendersonDrag::in(double gamma) const
+{
+    hendersonDrag law(*this);
+    law.sqrtHalfGamma_ = std::sqrt(0.5*gamma);
+    return law;
 }

@@ -1,0 +1,168 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "dragLaw.H"
+#include "hendersonDrag.H"
+#include "lothDrag.H"
+#include "nonSphericalDrag.H"
+#include "outOfRange.H"
+#include "singhDrag.H"
+
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+
+namespace
+{
+
+template<class Law>
+std::unique_ptr<impact::dragLaw> make(const impact::dragLaw::coefficients& c)
+{
+    return std::make_unique<Law>(c);
+}
+
+
+//- Is a number within a range given as text?
+bool within(double value, const char* range)
+{
+    char* comma;
+    const double low = std::strtod(range + 1, &comma);
+    char* end;
+    const double high = std::strtod(comma + 1, &end);
+    return
+        std::isfinite(value)
+     && (range[0] == '[' ? value >= low : value > low)
+     && (*end == ']' ? value <= high : value < high);
+}
+
+
+//- The coefficients with all their defaults, all of them valid
+impact::dragLaw::coefficients complete
+(
+    const impact::dragLaw::kind& law,
+    impact::dragLaw::coefficients c
+)
+{
+    using impact::throwOutOfRange;
+
+    for (const auto& given : c.numbers)
+    {
+        bool known = false;
+        std::string names;
+        for (const auto& n : law.numbers)
+        {
+            known = known || given.first == n.name;
+            names += (names.empty() ? "" : " ") + std::string(n.name);
+        }
+        if (!known)
+        {
+            throwOutOfRange(given.first, given.second, '(' + names + ')');
+        }
+    }
+    for (const auto& n : law.numbers)
+    {
+        if (!c.numbers.count(n.name))
+        {
+            if (!n.as && n.deflt < 0)
+            {
+                throwOutOfRange(n.name, "missing", n.range);
+            }
+            c.numbers[n.name] = n.as ? c.numbers.at(n.as) : n.deflt;
+        }
+        if (!within(c.numbers[n.name], n.range))
+        {
+            throwOutOfRange(n.name, c.numbers[n.name], n.range);
+        }
+    }
+
+    std::string forms;
+    bool known = c.form.empty();
+    for (const char* form : law.forms)
+    {
+        known = known || c.form == form;
+        forms += (forms.empty() ? "" : " ") + std::string(form);
+    }
+    if (!known)
+    {
+        throwOutOfRange("form", c.form, '(' + forms + ')');
+    }
+    return c;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+impact::dragLaw::dragLaw(double TpOverT)
+:
+    TpOverT_(TpOverT)
+{
+    if (!within(TpOverT, TpOverTRange))
+    {
+        throwOutOfRange("TpOverT", TpOverT, TpOverTRange);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+const std::vector<impact::dragLaw::kind>& impact::dragLaw::kinds()
+{
+    const number sphericity = {"sphericity", "(0, 1]", -1, nullptr};
+
+    static const std::vector<kind> all
+    {
+        {"hendersonDrag", true, {}, {}, make<hendersonDrag>},
+        {"lothDrag", true, {}, {"published", "continuous"}, make<lothDrag>},
+        {
+            "singhDrag", true,
+            {
+                {"omega", "[0.5, 1], hard spheres to Maxwell", 0.74, nullptr},
+                {"alphaHoc", "[0, 100]", 0.9071, nullptr}
+            },
+            {}, make<singhDrag>
+        },
+        {
+            "haiderLevenspielDrag", false, {sphericity}, {},
+            make<haiderLevenspielDrag>
+        },
+        {
+            "holzerSommerfeldDrag", false,
+            {
+                sphericity,
+                {"crosswiseSphericity", "(0, 1000]", -1, "sphericity"},
+                {"lengthwiseSphericity", "(0, 1000]", -1, "sphericity"}
+            },
+            {}, make<holzerSommerfeldDrag>
+        }
+    };
+    return all;
+}
+
+
+const impact::dragLaw::kind& impact::dragLaw::find(const std::string& name)
+{
+    std::string names;
+    for (const kind& k : kinds())
+    {
+        if (name == k.name)
+        {
+            return k;
+        }
+        names += (names.empty() ? "" : " ") + std::string(k.name);
+    }
+    throwOutOfRange("drag law", name, '(' + names + ')');
+}
+
+
+std::unique_ptr<impact::dragLaw> impact::dragLaw::New
+(
+    const std::string& name,
+    const coefficients& c
+)
+{
+    const kind& law = find(name);
+    return law.make(complete(law, c));
+}
