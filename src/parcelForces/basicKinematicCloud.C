@@ -2,10 +2,10 @@
     parcelImpact. License: GPL-3.0-or-later, see COPYING.
 
 Description
-    Registers our particle forces for basicKinematicCloud.
+    Registers our drag forces for basicKinematicCloud.
 \*---------------------------------------------------------------------------*/
 
 #include "basicKinematicCloud.H"
-#include "HendersonDragForce.H"
+#include "dragForces.H"
 
-makeParticleForceModelType(HendersonDragForce, basicKinematicCloud);
+makeParcelDragForces(basicKinematicCloud);

@@ -2,10 +2,10 @@
     parcelImpact. License: GPL-3.0-or-later, see COPYING.
 
 Description
-    Registers our particle forces for basicKinematicCollidingCloud.
+    Registers our drag forces for basicKinematicCollidingCloud.
 \*---------------------------------------------------------------------------*/
 
 #include "basicKinematicCollidingCloud.H"
-#include "HendersonDragForce.H"
+#include "dragForces.H"
 
-makeParticleForceModelType(HendersonDragForce, basicKinematicCollidingCloud);
+makeParcelDragForces(basicKinematicCollidingCloud);

@@ -2,10 +2,10 @@
     parcelImpact. License: GPL-3.0-or-later, see COPYING.
 
 Description
-    Registers our particle forces for basicKinematicMPPICCloud.
+    Registers our drag forces for basicKinematicMPPICCloud.
 \*---------------------------------------------------------------------------*/
 
 #include "basicKinematicMPPICCloud.H"
-#include "HendersonDragForce.H"
+#include "dragForces.H"
 
-makeParticleForceModelType(HendersonDragForce, basicKinematicMPPICCloud);
+makeParcelDragForces(basicKinematicMPPICCloud);

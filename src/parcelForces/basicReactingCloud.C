@@ -2,10 +2,10 @@
     parcelImpact. License: GPL-3.0-or-later, see COPYING.
 
 Description
-    Registers our particle forces for basicReactingCloud.
+    Registers our drag forces for basicReactingCloud.
 \*---------------------------------------------------------------------------*/
 
 #include "basicReactingCloud.H"
-#include "HendersonDragForce.H"
+#include "dragForces.H"
 
-makeParticleForceModelType(HendersonDragForce, basicReactingCloud);
+makeParcelDragForces(basicReactingCloud);

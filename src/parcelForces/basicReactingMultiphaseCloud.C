@@ -2,10 +2,10 @@
     parcelImpact. License: GPL-3.0-or-later, see COPYING.
 
 Description
-    Registers our particle forces for basicReactingMultiphaseCloud.
+    Registers our drag forces for basicReactingMultiphaseCloud.
 \*---------------------------------------------------------------------------*/
 
 #include "basicReactingMultiphaseCloud.H"
-#include "HendersonDragForce.H"
+#include "dragForces.H"
 
-makeParticleForceModelType(HendersonDragForce, basicReactingMultiphaseCloud);
+makeParcelDragForces(basicReactingMultiphaseCloud);

@@ -2,10 +2,10 @@
     parcelImpact. License: GPL-3.0-or-later, see COPYING.
 
 Description
-    Registers our particle forces for basicThermoCloud.
+    Registers our drag forces for basicThermoCloud.
 \*---------------------------------------------------------------------------*/
 
 #include "basicThermoCloud.H"
-#include "HendersonDragForce.H"
+#include "dragForces.H"
 
-makeParticleForceModelType(HendersonDragForce, basicThermoCloud);
+makeParcelDragForces(basicThermoCloud);

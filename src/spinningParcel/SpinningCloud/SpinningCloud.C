@@ -4,8 +4,8 @@
 
 #include "SpinningCloud.H"
 #include "checked.H"
+#include "CoreDragForce.H"
 #include "GravityForce.H"
-#include "HendersonDragForce.H"
 #include "MagnusForce.H"
 #include "NoDispersion.H"
 #include "stockCloudEntries.H"
@@ -189,16 +189,17 @@ void Foam::SpinningCloud<CloudType>::prepareMotion()
         return;
     }
 
-    typedef HendersonDragForce<kinematicCloudType> dragType;
+    typedef CoreDragForce<kinematicCloudType> dragType;
     const dragType* drag = nullptr;
     bool magnus = false;
     bool gravity = false;
     bool core = torque_->standard() || !torque_->active();
     for (const auto& force : this->forces())
     {
-        if (isA<dragType>(force) && !drag)
+        const dragType* law = dynamic_cast<const dragType*>(&force);
+        if (law && !drag)
         {
-            drag = &refCast<const dragType>(force);
+            drag = law;
             core = core && drag->uniformGas();
         }
         else if (isA<MagnusForce<kinematicCloudType>>(force))
@@ -221,7 +222,7 @@ void Foam::SpinningCloud<CloudType>::prepareMotion()
         halfCurl_,
         this->rho(),
         this->mu(),
-        drag ? &drag->gas().T() : nullptr
+        drag && drag->gas() ? &drag->gas()->T() : nullptr
     );
 
     if (core)

@@ -6,10 +6,10 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "basicSpinningCloud.H"
-#include "HendersonDragForce.H"
 #include "MagnusForce.H"
+#include "dragForces.H"
 #include "makeParcelForces.H"
 
 makeParcelForces(basicSpinningCloud);
-makeParticleForceModelType(HendersonDragForce, basicSpinningCloud);
+makeParcelDragForces(basicSpinningCloud);
 makeParticleForceModelType(MagnusForce, basicSpinningCloud);

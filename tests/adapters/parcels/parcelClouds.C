@@ -11,13 +11,14 @@ Description
 #include "OFstream.H"
 #include "basicKinematicCloud.H"
 #include "channelTest.H"
+#include "dragLaw.H"
 #include "fluidThermo.H"
-#include "hendersonDrag.H"
 #include "kinematicParcelCloud.H"
 #include "parcelClouds.H"
 
 #include <gtest/gtest.h>
 #include <cstdlib>
+#include <map>
 #include <memory>
 
 using namespace Foam;
@@ -146,9 +147,14 @@ protected:
         return "none";
     }
 
-    //- Compare the force on the first parcel with the core, in the gas of its
-    //  cell. Returns the Mach number of the relative motion.
-    scalar expectCoreDrag(const parcelCloudModel& model, scalar TwOverT) const
+    //- Compare the force on the first parcel with a law of the core, in the
+    //  gas of its cell. Returns the Mach number of the relative motion.
+    scalar expectCoreDrag
+    (
+        const parcelCloudModel& model,
+        const char* law,
+        impact::dragLaw::coefficients coefficients
+    ) const
     {
         auto& c = const_cast<basicKinematicCloud&>(cloud(model));
         auto& p = *c.first();
@@ -166,7 +172,9 @@ protected:
         const scalar gamma = thermo_->gamma()()[cell];
         const scalar a = std::sqrt(gamma/thermo_->psi()[cell]);
         const scalar K = td.muc()/(td.rhoc()*p.d()*a);
-        const scalar CdRe = impact::hendersonDrag(gamma, TwOverT).CdRe(Re, K);
+        coefficients.gamma = gamma;
+        const scalar CdRe =
+            impact::dragLaw::New(law, coefficients)->CdRe(Re, K);
         EXPECT_NEAR(Sp/(M_PI/8*p.d()*td.muc()*CdRe), 1, 1e-13);
         return K*Re;
     }
@@ -307,24 +315,150 @@ TEST_F(parcelCloudsTest, noticesAChangeOfTheGas)
 
 TEST_F(parcelCloudsTest, dragIsThatOfTheCoreInPerfectGas)
 {
+    struct setting
+    {
+        const char* law;
+        const char* entries;
+        double TwOverT;
+        const char* form;
+        std::map<std::string, double> numbers;
+    };
     list("(sand)");
-    addCloud
-    (
-        "sand",
-        dictionary
-        (
-            IStringStream
-            (
-                "subModels{particleForces{hendersonDrag{TwOverT 1.3;}}}"
-            )()
-        )
-    );
     open();
-    const auto clouds = make();
-    (*time_)++;
-    clouds->evolve();
+    for
+    (
+        const setting& s
+      : std::vector<setting>
+        {
+            {"hendersonDrag", "TwOverT 1.3;", 1.3, "", {}},
+            {"hendersonDrag", "", 1, "", {}},
+            {"lothDrag", "TwOverT 0.7;", 0.7, "published", {}},
+            {"lothDrag", "form continuous;", 1, "continuous", {}},
+            {"singhDrag", "TwOverT 2;", 2, "", {}},
+            {
+                "singhDrag", "omega 0.81; alphaHoc 1.27;", 1, "",
+                {{"omega", 0.81}, {"alphaHoc", 1.27}}
+            },
+            {
+                "haiderLevenspielDrag", "sphericity 0.6;", 1, "",
+                {{"sphericity", 0.6}}
+            },
+            {
+                "holzerSommerfeldDrag",
+                "sphericity 0.6; crosswiseSphericity 0.9;", 1, "",
+                {{"sphericity", 0.6}, {"crosswiseSphericity", 0.9}}
+            }
+        }
+    )
+    {
+        SCOPED_TRACE(std::string(s.law) + ' ' + s.entries);
+        dictionary cloud(read(path("constant/kinematicCloudProperties")));
+        cloud.subDict("subModels").set
+        (
+            "particleForces",
+            dictionary(IStringStream(s.law + string("{") + s.entries + "}")())
+        );
+        write("sandProperties", cloud);
+        const auto clouds = make();
+        (*time_)++;
+        clouds->evolve();
 
-    EXPECT_GT(expectCoreDrag((*clouds)[0], 1.3), 1.75);
+        impact::dragLaw::coefficients c;
+        c.TpOverT = s.TwOverT;
+        c.form = s.form;
+        c.numbers = s.numbers;
+        EXPECT_GT(expectCoreDrag((*clouds)[0], s.law, c), 1.75);
+    }
+}
+
+
+TEST_F(parcelCloudsTest, refusesBadEntriesOfDragLaws)
+{
+    struct mistake
+    {
+        const char* forces;
+        std::vector<const char*> said;
+    };
+    list("(sand)");
+    open();
+    for
+    (
+        const mistake& m
+      : std::vector<mistake>
+        {
+            {"hendersonDrag { TwOverT -1; }", {"TwOverT -1", "(0, 1000]"}},
+            {"lothDrag { TwOverT 0; }", {"TwOverT 0", "(0, 1000]"}},
+            {"lothDrag { form smooth; }", {"smooth", "published continuous"}},
+            {"lothDrag { forn continuous; }", {"forn", "Did you mean form"}},
+            {"lothDrag { sphericity 0.5; }", {"sphericity", "thermo"}},
+            {"lothDrag { thermo gas; }", {"gas", "thermophysicalProperties"}},
+            {"singhDrag { omega 1.2; }", {"omega 1.2", "[0.5, 1]"}},
+            {"singhDrag { alphaHoc -1; }", {"alphaHoc -1", "[0, 100]"}},
+            {"haiderLevenspielDrag;", {"sphericity", "missing", "(0, 1]"}},
+            {
+                "haiderLevenspielDrag { sphericity 1.01; }",
+                {"sphericity 1.01", "(0, 1]"}
+            },
+            {
+                "haiderLevenspielDrag { sphericity 1; TwOverT 1; }",
+                {"TwOverT", "Valid: (sphericity)"}
+            },
+            {
+                "holzerSommerfeldDrag { sphericity 0; }",
+                {"sphericity 0", "(0, 1]"}
+            },
+            {
+                "holzerSommerfeldDrag { sphericity 1; crosswiseSphericity"
+                " 2000; }", {"crosswiseSphericity 2000", "(0, 1000]"}
+            }
+        }
+    )
+    {
+        dictionary cloud(read(path("constant/kinematicCloudProperties")));
+        cloud.subDict("subModels").set
+        (
+            "particleForces", dictionary(IStringStream(m.forces)())
+        );
+        write("sandProperties", cloud);
+        const std::string message = refusal();
+        for (const char* word : m.said)
+        {
+            EXPECT_NE(message.find(word), std::string::npos)
+                << m.forces << ": " << message;
+        }
+    }
+}
+
+
+TEST_F(parcelCloudsTest, dragOfNonSphericalParticlesIsThatOfStock)
+{
+    // Haider and Levenspiel's law is there as nonSphereDrag, too
+    list("(sand)");
+    open();
+    scalar speeds[2];
+    int i = 0;
+    for
+    (
+        const char* forces
+      : {"nonSphereDrag { phi 0.7; }", "haiderLevenspielDrag { sphericity 0.7; }"}
+    )
+    {
+        dictionary cloud(read(path("constant/kinematicCloudProperties")));
+        cloud.subDict("subModels").set
+        (
+            "particleForces", dictionary(IStringStream(forces)())
+        );
+        write("sandProperties", cloud);
+        const auto clouds = make();
+        for (int step = 0; step < 3; ++step)
+        {
+            (*time_)++;
+            clouds->evolve();
+        }
+        speeds[i++] = speed((*clouds)[0]);
+    }
+    EXPECT_LT(speeds[0], 995);
+    EXPECT_NEAR(speeds[0]/speeds[1], 1, 1e-9);
 }
 
 
@@ -349,14 +483,6 @@ TEST_F(parcelCloudsTest, dragFollowsGammaInThermallyPerfectGas)
     );
     write("thermophysicalProperties", thermo);
     list("(sand)");
-    addCloud
-    (
-        "sand",
-        dictionary
-        (
-            IStringStream("solution{interpolationSchemes{T cell;}}")()
-        )
-    );
     open();
     auto& T = const_cast<volScalarField&>(thermo_->T());
     T.primitiveFieldRef() =
@@ -364,12 +490,31 @@ TEST_F(parcelCloudsTest, dragFollowsGammaInThermallyPerfectGas)
     T.correctBoundaryConditions();
     thermo_->he() = thermo_->he(thermo_->p(), T);
     thermo_->correct();
-    const auto clouds = make();
-    (*time_)++;
-    clouds->evolve();
-
     EXPECT_GT(gMax(thermo_->gamma()()) - gMin(thermo_->gamma()()), 0.05);
-    EXPECT_GT(expectCoreDrag((*clouds)[0], 1), 1);
+    for (const char* law : {"hendersonDrag", "lothDrag", "singhDrag"})
+    {
+        dictionary cloud(read(path("constant/kinematicCloudProperties")));
+        cloud.subDict("solution").subDict("interpolationSchemes").set
+        (
+            "T", word("cell")
+        );
+        cloud.subDict("subModels").set
+        (
+            "particleForces", dictionary(IStringStream(law + string(";"))())
+        );
+        write("sandProperties", cloud);
+        const auto clouds = make();
+        (*time_)++;
+        clouds->evolve();
+        EXPECT_GT
+        (
+            expectCoreDrag
+            (
+                (*clouds)[0], law, impact::dragLaw::coefficients()
+            ),
+            1
+        );
+    }
 }
 
 
@@ -384,8 +529,9 @@ TEST_F(parcelCloudsTest, takesTheAnnotatedDictionaries)
     (
         const char* model
       : {
-            "hendersonDrag", "crossSectionInjection", "rakeInjection",
-            "impactRecords"
+            "hendersonDrag", "lothDrag", "singhDrag",
+            "haiderLevenspielDrag", "holzerSommerfeldDrag",
+            "crossSectionInjection", "rakeInjection", "impactRecords"
         }
     )
     {
@@ -393,7 +539,12 @@ TEST_F(parcelCloudsTest, takesTheAnnotatedDictionaries)
         ASSERT_GT(dict.size(), 0) << model;
         addCloud(model, dict);
     }
-    list("(hendersonDrag crossSectionInjection rakeInjection impactRecords)");
+    list
+    (
+        "(hendersonDrag lothDrag singhDrag haiderLevenspielDrag"
+        " holzerSommerfeldDrag crossSectionInjection rakeInjection"
+        " impactRecords)"
+    );
     ASSERT_EQ(read(folder/"parcelClouds").get<wordList>("clouds").size(), 2);
     open();
     const auto clouds = make();

@@ -200,7 +200,7 @@ TABLE = [
      ["hendersenDrag", "hendersonDrag", "sphereDrag"]),
     ("TwOverT", replace("constant/sandCloud", "hendersonDrag;",
                         "hendersonDrag { TwOverT -1; }"),
-     ["TwOverT -1", "(0, 1e6]"]),
+     ["TwOverT -1", "(0, 1000]"]),
     ("volumeFraction", replace(STREAM, "1e-5", "0.2"),
      ["volumeFraction 0.2:", "(0, "]),
     ("diameter_stream", replace(SAND, "50e-6", "0"),

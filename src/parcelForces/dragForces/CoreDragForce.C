@@ -2,18 +2,83 @@
     parcelImpact. License: GPL-3.0-or-later, see COPYING.
 \*---------------------------------------------------------------------------*/
 
-#include "HendersonDragForce.H"
+#include "CoreDragForce.H"
 #include "checked.H"
+#include "parcelTemperature.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<class CloudType>
-const Foam::fluidThermo& Foam::HendersonDragForce<CloudType>::thermo() const
+impact::dragLaw::coefficients Foam::CoreDragForce<CloudType>::read
+(
+    const dictionary& dict,
+    const impact::dragLaw::kind& kind
+) const
+{
+    impact::dragLaw::coefficients c;
+    wordList entries;
+
+    if (kind.compressible)
+    {
+        entries.append("thermo");
+        if (!parcelTemperature::has<parcelType>())
+        {
+            entries.append("TwOverT");
+            c.TpOverT = getNumber
+            (
+                dict, "TwOverT", impact::dragLaw::TpOverTRange, c.TpOverT
+            );
+        }
+        else if (dict.found("TwOverT"))
+        {
+            refuse
+            (
+                dict, "TwOverT", dict.get<scalar>("TwOverT"), "none: the"
+                " parcels of this cloud have temperatures of their own"
+            );
+        }
+    }
+
+    if (kind.forms.size())
+    {
+        wordList forms;
+        for (const char* form : kind.forms)
+        {
+            forms.append(form);
+        }
+        entries.append("form");
+        c.form = getWord(dict, "form", forms);
+    }
+
+    for (const auto& number : kind.numbers)
+    {
+        entries.append(number.name);
+        if (dict.found(number.name))
+        {
+            c.numbers[number.name] =
+                getNumber(dict, number.name, number.range);
+        }
+        else if (!number.as && number.deflt < 0)
+        {
+            FatalIOErrorInFunction(dict)
+                << kind.name << ": entry " << number.name
+                << " is missing: valid range " << number.range
+                << exit(FatalIOError);
+        }
+    }
+
+    refuseOthers(dict, entries);
+    return c;
+}
+
+
+template<class CloudType>
+const Foam::fluidThermo& Foam::CoreDragForce<CloudType>::thermo() const
 {
     if (!this->mesh().template foundObject<fluidThermo>(thermoName_))
     {
         FatalIOErrorInFunction(this->coeffs())
-            << "hendersonDrag needs the gas temperature and ratio of specific"
+            << kind_.name << " needs the gas temperature and ratio of specific"
             << " heats. Entry thermo " << thermoName_
             << " is no compressible fluid thermophysical model of region "
             << this->mesh().name() << ": valid range "
@@ -27,7 +92,22 @@ const Foam::fluidThermo& Foam::HendersonDragForce<CloudType>::thermo() const
 
 
 template<class CloudType>
-bool Foam::HendersonDragForce<CloudType>::upToDate
+std::unique_ptr<impact::dragLaw> Foam::CoreDragForce<CloudType>::law
+(
+    const scalar gamma
+) const
+{
+    impact::dragLaw::coefficients c(coefficients_);
+    c.gamma = gamma;
+    return checked
+    (
+        this->coeffs(), [&]{ return impact::dragLaw::New(kind_.name, c); }
+    );
+}
+
+
+template<class CloudType>
+bool Foam::CoreDragForce<CloudType>::upToDate
 (
     const fluidThermo& thermo
 ) const
@@ -40,7 +120,7 @@ bool Foam::HendersonDragForce<CloudType>::upToDate
 
 
 template<class CloudType>
-void Foam::HendersonDragForce<CloudType>::updateGas(const fluidThermo& thermo)
+void Foam::CoreDragForce<CloudType>::updateGas(const fluidThermo& thermo)
 {
     const tmp<volScalarField> tgamma(thermo.gamma());
     const volScalarField& gamma = tgamma();
@@ -93,13 +173,17 @@ void Foam::HendersonDragForce<CloudType>::updateGas(const fluidThermo& thermo)
     if (uniformGas_)
     {
         gammaR_ = 0.5*(gammaRMin + gammaRMax);
-        drag_ = impact::hendersonDrag(0.5*(gammaMin + gammaMax), TwOverT_);
+        drag_ = law(0.5*(gammaMin + gammaMax));
         aSqr_.clear();
         gamma_.clear();
     }
     else
     {
-        const word prefix(this->owner().name() + ":hendersonDrag:");
+        // Both ends must be within the range of the law
+        law(gammaMin);
+        drag_ = law(gammaMax);
+
+        const word prefix(this->owner().name() + ':' + kind_.name + ':');
         aSqr_.clear();
         gamma_.clear();
         aSqr_.reset(new volScalarField(prefix + "aSqr", gamma/psi));
@@ -114,21 +198,17 @@ void Foam::HendersonDragForce<CloudType>::updateGas(const fluidThermo& thermo)
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 template<class CloudType>
-Foam::HendersonDragForce<CloudType>::HendersonDragForce
+Foam::CoreDragForce<CloudType>::CoreDragForce
 (
     CloudType& owner,
     const fvMesh& mesh,
-    const dictionary& dict
+    const dictionary& dict,
+    const word& name
 )
 :
-    ParticleForce<CloudType>
-    (
-        owner,
-        mesh,
-        dict,
-        typeName,
-        dict.dictName() == typeName
-    ),
+    ParticleForce<CloudType>(owner, mesh, dict, name, dict.dictName() == name),
+    kind_(impact::dragLaw::find(name)),
+    coefficients_(read(this->coeffs(), kind_)),
     thermoName_
     (
         this->coeffs().template lookupOrDefault<word>
@@ -136,10 +216,6 @@ Foam::HendersonDragForce<CloudType>::HendersonDragForce
             "thermo",
             basicThermo::dictName
         )
-    ),
-    TwOverT_
-    (
-        getNumber(this->coeffs(), "TwOverT", "(0, 1e6]", scalar(1))
     ),
     scheme_
     (
@@ -149,15 +225,13 @@ Foam::HendersonDragForce<CloudType>::HendersonDragForce
     TEvent_(-1),
     pEvent_(-1),
     uniformGas_(true),
-    gammaR_(0),
-    drag_(1.4, 1)
+    gammaR_(1),
+    drag_(law(1.4))
 {
-    refuseOthers(this->coeffs(), {"thermo", "TwOverT"});
-
-    if (gMin(thermo().psi().primitiveField()) <= 0)
+    if (kind_.compressible && gMin(thermo().psi().primitiveField()) <= 0)
     {
         FatalIOErrorInFunction(this->coeffs())
-            << "hendersonDrag needs a speed of sound. Entry thermo "
+            << kind_.name << " needs a speed of sound. Entry thermo "
             << thermoName_ << ": valid range a model with a compressible"
             << " equation of state (psi > 0)"
             << exit(FatalIOError);
@@ -166,29 +240,30 @@ Foam::HendersonDragForce<CloudType>::HendersonDragForce
 
 
 template<class CloudType>
-Foam::HendersonDragForce<CloudType>::HendersonDragForce
+Foam::CoreDragForce<CloudType>::CoreDragForce
 (
-    const HendersonDragForce<CloudType>& force
+    const CoreDragForce<CloudType>& force
 )
 :
     ParticleForce<CloudType>(force),
+    kind_(force.kind_),
+    coefficients_(force.coefficients_),
     thermoName_(force.thermoName_),
-    TwOverT_(force.TwOverT_),
     scheme_(force.scheme_),
     TEvent_(-1),
     pEvent_(-1),
     uniformGas_(true),
-    gammaR_(0),
-    drag_(force.drag_)
+    gammaR_(1),
+    drag_(force.drag_->clone())
 {}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<class CloudType>
-void Foam::HendersonDragForce<CloudType>::cacheFields(const bool store)
+void Foam::CoreDragForce<CloudType>::cacheFields(const bool store)
 {
-    if (!store)
+    if (!store || !kind_.compressible)
     {
         // The interpolation stays for the next step: on a frozen gas it is
         // still valid then
@@ -224,31 +299,42 @@ void Foam::HendersonDragForce<CloudType>::cacheFields(const bool store)
 
 
 template<class CloudType>
-Foam::forceSuSp Foam::HendersonDragForce<CloudType>::calcCoupled
+Foam::forceSuSp Foam::CoreDragForce<CloudType>::calcCoupled
 (
-    const typename CloudType::parcelType& p,
-    const typename CloudType::parcelType::trackingData& td,
+    const parcelType& p,
+    const typename parcelType::trackingData& td,
     const scalar dt,
     const scalar mass,
     const scalar Re,
     const scalar muc
 ) const
 {
-    const barycentric& where = p.coordinates();
-    const tetIndices tetIs(p.currentTetIndices());
-    const scalar value = aSqrInterp_().interpolate(where, tetIs);
-    const scalar aSqr = uniformGas_ ? gammaR_*value : value;
+    scalar CdRe;
+    if (!kind_.compressible)
+    {
+        CdRe = drag_->CdRe(Re, 0);
+    }
+    else
+    {
+        const barycentric& where = p.coordinates();
+        const tetIndices tetIs(p.currentTetIndices());
+        const scalar value = aSqrInterp_().interpolate(where, tetIs);
+        const scalar aSqr = uniformGas_ ? gammaR_*value : value;
+        const scalar MachOverRe = muc/(td.rhoc()*p.d()*Foam::sqrt(aSqr));
+        const scalar TpOverT =
+            parcelTemperature::overThatOfGas(p, td, coefficients_.TpOverT);
 
-    const scalar MachOverRe = muc/(td.rhoc()*p.d()*Foam::sqrt(aSqr));
-
-    const scalar CdRe =
-        uniformGas_
-      ? drag_.CdRe(Re, MachOverRe)
-      : impact::hendersonDrag
-        (
-            gammaInterp_().interpolate(where, tetIs),
-            TwOverT_
-        ).CdRe(Re, MachOverRe);
+        CdRe =
+            uniformGas_
+          ? drag_->CdRe(Re, MachOverRe, TpOverT)
+          : drag_->CdReIn
+            (
+                gammaInterp_().interpolate(where, tetIs),
+                Re,
+                MachOverRe,
+                TpOverT
+            );
+    }
 
     forceSuSp force(Zero);
     force.Sp() = 0.75*mass*muc*CdRe/(p.rho()*sqr(p.d()));
