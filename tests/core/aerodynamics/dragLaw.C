@@ -444,7 +444,10 @@ TEST(freeMolecularSphere, meetsTheExactFormulaAtAllSpeeds)
             sCd(s, 2.5)/double(s*freeMolecular(x)), 1, 2e-15
         ) << s;
     }
-    EXPECT_NEAR(sCd(0, 1), 16/(3*std::sqrt(M_PI)) + 2./3*std::sqrt(M_PI), 1e-15);
+    EXPECT_NEAR
+    (
+        sCd(0, 1), 16/(3*std::sqrt(M_PI)) + 2./3*std::sqrt(M_PI), 1e-15
+    );
     EXPECT_NEAR(sCd(1e100, 1)/2e100, 1, 1e-15);
 }
 
