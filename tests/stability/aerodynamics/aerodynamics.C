@@ -7,6 +7,7 @@ Description
     verdict' each.
 \*---------------------------------------------------------------------------*/
 
+#include "heatLaw.H"
 #include "hendersonDrag.H"
 #include "magnusLift.H"
 #include "rotationalTorque.H"
@@ -15,6 +16,7 @@ Description
 #include <cfenv>
 #include <cmath>
 #include <cstdio>
+#include <string>
 
 namespace
 {
@@ -103,6 +105,69 @@ int main()
         (
             name, "24/Re within 0.4 %",
             slow.least > 0.996 && slow.most < 1.004
+        );
+    }
+
+    for (const dragLaw::kind& kind : dragLaw::kinds())
+    {
+        extremes CdRe;
+        for (const double TpOverT : {1e-3, 1., 1000.})
+        {
+            dragLaw::coefficients c;
+            c.TpOverT = TpOverT;
+            for (const auto& number : kind.numbers)
+            {
+                c.numbers[number.name] =
+                    number.name == std::string("omega") ? 1 : 0.1;
+            }
+            const auto law = dragLaw::New(kind.name, c);
+            sweep
+            (
+                100, 100, [&](double Re)
+                {
+                    sweep
+                    (
+                        100, 100, [&](double M)
+                        {
+                            CdRe.add(law->CdRe(Re, Re > 0 ? M/Re : M));
+                        }
+                    );
+                }
+            );
+        }
+        CdRe.row
+        (
+            (
+                kind.name
+              + std::string(", Tp/T 1e-3 to 1000, Re and M 0 to 1e100")
+            ).c_str(),
+            "finite, never thrust", CdRe.least >= 0
+        );
+    }
+
+    for (const std::string& name : heatLaw::names())
+    {
+        extremes Nu;
+        const auto law = heatLaw::New(name, heatLaw::coefficients());
+        sweep
+        (
+            100, 100, [&](double Re)
+            {
+                sweep
+                (
+                    100, 100, [&](double M)
+                    {
+                        const auto r = (*law)(Re, Re > 0 ? M/Re : M);
+                        Nu.add(r.Nu);
+                        Nu.add(r.TawOverT);
+                    }
+                );
+            }
+        );
+        Nu.row
+        (
+            ("Heat law " + name + ", Re and M 0 to 1e100").c_str(),
+            "finite, positive", Nu.least >= 0
         );
     }
 
