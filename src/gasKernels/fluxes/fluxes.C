@@ -79,8 +79,9 @@ VECTOR_INLINE void convect
 }
 
 
-//- Flux of the two-wave Riemann solution with the wave speeds sL <= 0 <= sR
-template<int nDim>
+//- Flux of the two-wave Riemann solution with the wave speeds sL <= 0 <= sR.
+//  With Enthalpy the dissipation of energy acts on rho H instead of rho E.
+template<bool Enthalpy, int nDim>
 VECTOR_INLINE void twoWaves
 (
     faceBlock& block,
@@ -93,8 +94,8 @@ VECTOR_INLINE void twoWaves
 {
     const double d = 1/(sR - sL);
     const double jump = sL*sR;
-    const double rhoEL = L.rho*L.H - L.p;
-    const double rhoER = R.rho*R.H - R.p;
+    const double rhoEL = L.rho*L.H - (Enthalpy ? 0 : L.p);
+    const double rhoER = R.rho*R.H - (Enthalpy ? 0 : R.p);
 
     block.flux[0][i] =
         d*(sR*L.rho*L.un - sL*R.rho*R.un + jump*(R.rho - L.rho));
@@ -139,7 +140,25 @@ struct Kurganov
     {
         const double sR = most(most(L.un + L.a, R.un + R.a), 0);
         const double sL = least(least(L.un - L.a, R.un - R.a), 0);
-        twoWaves(block, i, L, R, sL, sR);
+        twoWaves<false>(block, i, L, R, sL, sR);
+    }
+};
+
+
+struct shock
+{
+    template<int nDim>
+    static VECTOR_INLINE void flux
+    (
+        faceBlock& block,
+        const int i,
+        const side<nDim>& L,
+        const side<nDim>& R
+    )
+    {
+        const double sR = most(most(L.un + L.a, R.un + R.a), 0);
+        const double sL = least(least(L.un - L.a, R.un - R.a), 0);
+        twoWaves<true>(block, i, L, R, sL, sR);
     }
 };
 
@@ -157,7 +176,7 @@ struct Tadmor
     {
         const double s =
             most(size(L.un) + L.a, size(R.un) + R.a);
-        twoWaves(block, i, L, R, -s, s);
+        twoWaves<false>(block, i, L, R, -s, s);
     }
 };
 
@@ -356,6 +375,7 @@ makeFluxes(Tadmor)
 makeFluxes(SLAU2)
 makeFluxes(AUSMPlusUp)
 makeFluxes(HLLC)
+makeFluxes(shock)
 
 #define listFluxes(Scheme)                                                     \
     {                                                                          \
@@ -408,6 +428,15 @@ Foam::fluxKernel Foam::selectFlux
         found == table().end()
       ? nullptr
       : found->second.kernel[(nDim - 2) + 2*int(thermallyPerfect)];
+}
+
+
+Foam::fluxKernel Foam::shockFlux(const int nDim, const bool thermallyPerfect)
+{
+    return
+        nDim == 2
+      ? (thermallyPerfect ? fluxshock2true : fluxshock2false)
+      : (thermallyPerfect ? fluxshock3true : fluxshock3false);
 }
 
 

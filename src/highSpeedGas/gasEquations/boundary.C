@@ -4,8 +4,8 @@
 
 #include "gasEquations.H"
 #include "basicSymmetryFvPatchFields.H"
-#include "wedgePolyPatch.H"
 #include "surfaceInterpolate.H"
+#include <algorithm>
 
 // * * * * * * * * * * * * * * * Set-up  * * * * * * * * * * * * * * * * * * //
 
@@ -68,13 +68,11 @@ void Foam::gasEquations::setPatches()
     for (const gasMesh::patchRange& patch : geometry_.patches())
     {
         const label patchi = patch.patchi;
-        const polyPatch& pp = mesh_.boundaryMesh()[patchi];
         const fvPatchVectorField& Up = U_.boundaryField()[patchi];
         const fvPatchScalarField& pressure = thermo_.p().boundaryField()[patchi];
 
-        const bool wedge = isA<wedgePolyPatch>(pp);
         const bool slip =
-            isA<basicSymmetryFvPatchVectorField>(Up) && !patch.symmetry;
+            isA<basicSymmetryFvPatchVectorField>(Up) && !patch.image();
 
         // Whether the condition on U lets no gas through at the start
         // (processor patches differ from rank to rank: no sums over them)
@@ -88,13 +86,13 @@ void Foam::gasEquations::setPatches()
             wall = slip || (Up.fixesValue() && through <= 1e-6*along);
         }
 
-        tight_.push_back(slip || wedge || patch.symmetry);
+        tight_.push_back(slip || patch.image());
         reconstructed_.push_back
         (
             !patch.coupled && leavesPressure.found(pressure.type())
         );
-        excluded[patchi] = wedge || slip || (wall && !viscous_);
-        frictionless_[patchi] = wedge || slip || patch.symmetry;
+        excluded[patchi] = slip || (wall && !viscous_ && !patch.image());
+        frictionless_[patchi] = slip;
 
         for
         (
@@ -191,6 +189,7 @@ void Foam::gasEquations::wallPressure(const label f, double& p) const
 {
     const int nDim = geometry_.nDim();
     const label c = geometry_.owner[f];
+    const double pc = primitive[c*nVar_];
     const double* g = &gradient_[c*nVar_*nDim];
     double change = 0;
     for (int d = 0; d < nDim; d++)
@@ -200,7 +199,6 @@ void Foam::gasEquations::wallPressure(const label f, double& p) const
 
     // In the first instants of an impulsive start the pressure next to the
     // wall varies by more than itself
-    const double pc = primitive[c*nVar_];
     p = pc + max(-0.5*pc, min(0.5*pc, change));
 }
 
@@ -220,7 +218,7 @@ void Foam::gasEquations::setBoundaryProperties()
     {
         for (const gasMesh::patchRange& patch : geometry_.patches())
         {
-            if (patch.coupled || patch.symmetry)
+            if (patch.coupled || patch.image())
             {
                 continue;
             }
@@ -246,7 +244,7 @@ void Foam::gasEquations::setBoundaryStress()
 
     for (const gasMesh::patchRange& patch : geometry_.patches())
     {
-        if (patch.coupled || patch.symmetry)
+        if (patch.coupled || patch.image())
         {
             continue;
         }
@@ -309,7 +307,7 @@ void Foam::gasEquations::correctBoundary()
 
     for (const gasMesh::patchRange& patch : geometry_.patches())
     {
-        if (patch.coupled || patch.symmetry)
+        if (patch.coupled || patch.image())
         {
             continue;
         }
@@ -337,7 +335,7 @@ void Foam::gasEquations::takeBoundary()
 
     for (const gasMesh::patchRange& patch : geometry_.patches())
     {
-        if (patch.coupled || patch.symmetry)
+        if (patch.coupled || patch.image())
         {
             continue;
         }
@@ -366,30 +364,6 @@ void Foam::gasEquations::takeBoundary()
         }
     }
 
-    for (const gasMesh::patchRange& patch : geometry_.patches())
-    {
-        if (!patch.symmetry)
-        {
-            continue;
-        }
-        for (label f = patch.start; f < patch.start + patch.size; f++)
-        {
-            const double* q = &primitive[geometry_.owner[f]*nVar_];
-            const double* n = &geometry_.normal[f*nDim];
-            double* g = &primitive[geometry_.far[f]*nVar_];
-            double un = 0;
-            for (int d = 0; d < nDim; d++)
-            {
-                un += q[2 + d]*n[d];
-            }
-            g[0] = q[0];
-            g[1] = q[1];
-            for (int d = 0; d < nDim; d++)
-            {
-                g[2 + d] = q[2 + d] - 2*un*n[d];
-            }
-        }
-    }
-
+    geometry_.reflect(primitive.data());
     geometry_.exchange(primitive.data(), nVar_);
 }

@@ -8,10 +8,11 @@
 namespace Foam
 {
 
-//- Whether the pressure rises along the flow by a large part of itself within
-//  the distance delta between two cells: the face lies in a shock
+//- Share 0..1 of a face in a shock: whether the pressure rises along the flow
+//  by a large part of itself (two to three tenths) within the distance
+//  delta between two cells. Smooth, so that a steady state can come to rest.
 template<int nDim>
-inline bool inShock
+inline double shareInShock
 (
     const double* owner,
     const double* far,
@@ -21,8 +22,9 @@ inline bool inShock
 )
 {
     double gg[2] = {0, 0};
-    double dd = 0;
     double ug[2] = {0, 0};
+    double uu[2] = {0, 0};
+    double dd = 0;
     for (int d = 0; d < nDim; d++)
     {
         const double g0 = gradientOwner[d*(nDim + 2)];
@@ -31,11 +33,26 @@ inline bool inShock
         gg[1] += g1*g1;
         ug[0] += owner[2 + d]*g0;
         ug[1] += far[2 + d]*g1;
+        uu[0] += owner[2 + d]*owner[2 + d];
+        uu[1] += far[2 + d]*far[2 + d];
         dd += delta[d]*delta[d];
     }
-    return
-        max(ug[0] > 0 ? gg[0] : 0, ug[1] > 0 ? gg[1] : 0)*dd
-      > sqr(0.2*min(owner[0], far[0]));
+
+    double share = 0;
+    for (int side = 0; side < 2; side++)
+    {
+        const double low = min(owner[0], far[0]);
+        if (ug[side] > 0 && gg[side]*dd > sqr(0.2*low))
+        {
+            const double jump = std::sqrt(gg[side]*dd)/low;
+            const double along =
+                ug[side]/std::sqrt(uu[side]*gg[side] + VSMALL);
+            const double x =
+                min(10*(jump - 0.2), 1.0)*min(10*along, 1.0);
+            share = max(share, x*x*(3 - 2*x));
+        }
+    }
+    return share;
 }
 
 } // End namespace Foam
@@ -88,14 +105,15 @@ void Foam::gasEquations::gradients()
     }
 
     geometry_.exchange(g, nVar*nDim);
+    geometry_.reflectGradients(g);
 }
 
 
-void Foam::gasEquations::replaceFluxes
+void Foam::gasEquations::blendFluxes
 (
     faceBlock& block,
     const int n,
-    const bool* which
+    const double* share
 ) const
 {
     double keep[faceBlock::maxVar][faceBlock::size];
@@ -107,8 +125,42 @@ void Foam::gasEquations::replaceFluxes
     {
         for (int i = 0; i < n; i++)
         {
-            block.flux[k][i] = which[i] ? block.flux[k][i] : keep[k][i];
+            block.flux[k][i] =
+                share[i]*block.flux[k][i] + (1 - share[i])*keep[k][i];
         }
+    }
+}
+
+
+template<int nDim>
+inline void Foam::gasEquations::turnedToFace
+(
+    const label f,
+    const int cell,
+    double* q,
+    double* slope
+) const
+{
+    const double* axis = geometry_.axis.data();
+    const double* away = geometry_.away.data();
+    const double inverse = geometry_.inverseRadius[cell];
+    const double ratio = geometry_.faceRadius[f]*inverse;
+    double along = 0;
+    double slopeAlong = 0;
+    double outward = 0;
+    for (int d = 0; d < nDim; d++)
+    {
+        along += q[2 + d]*axis[d];
+        slopeAlong += slope[2 + d]*axis[d];
+        outward += 2*geometry_.delta[f*nDim + d]*away[d];
+    }
+    for (int d = 0; d < nDim; d++)
+    {
+        const double across = q[2 + d] - along*axis[d];
+        const double slopeAcross = slope[2 + d] - slopeAlong*axis[d];
+        q[2 + d] = along*axis[d] + ratio*across;
+        slope[2 + d] =
+            slopeAlong*axis[d] + ratio*(slopeAcross - outward*inverse*across);
     }
 }
 
@@ -120,16 +172,20 @@ void Foam::gasEquations::innerFluxes()
     const double* __restrict q = primitive.data();
     const double* __restrict g = gradient_.data();
     faceBlock block;
+    block.smooth = passed_ > 0;
 
     //- Mass fluxes of the faces in hand, those of face f at massFlux[f]
     scalar* massFlux = phi_.begin();
 
+    //- Whether the gas behind the faces in hand is an image
+    bool mirrored = false;
+
     auto blockOfFaces = [&](const label first, const int n)
     {
         bool troubledBlock = false;
-        bool troubledFace[faceBlock::size];
+        double troubledFace[faceBlock::size];
         bool shockedBlock = false;
-        bool shock[faceBlock::size];
+        double shock[faceBlock::size];
 
         for (int i = 0; i < n; i++)
         {
@@ -156,12 +212,31 @@ void Foam::gasEquations::innerFluxes()
                     sr[k] += 2*delta[d]*gr[d*nVar + k];
                 }
             }
+            double own[nVar];
+            double other[nVar];
+            std::copy(qo, qo + nVar, own);
+            std::copy(qr, qr + nVar, other);
+            if (!geometry_.axis.empty())
+            {
+                turnedToFace<nDim>(f, o, own, so);
+                turnedToFace<nDim>(f, r, other, sr);
+            }
             for (int k = 0; k < nVar; k++)
             {
-                block.owner[k][i] = qo[k];
-                block.far[k][i] = qr[k];
+                block.owner[k][i] = own[k];
+                block.far[k][i] = other[k];
                 block.slopeOwner[k][i] = so[k];
                 block.slopeFar[k][i] = sr[k];
+            }
+            if (passed_ > 0)
+            {
+                const double RT = closure_.R*0.5*(qo[1] + qr[1]);
+                block.passed[0][i] = passed_*qo[0]*qr[0];
+                block.passed[1][i] = passed_*qo[1]*qr[1];
+                for (int d = 0; d < nDim; d++)
+                {
+                    block.passed[2 + d][i] = passed_*RT;
+                }
             }
             block.weight[i] = geometry_.weight[f];
             for (int d = 0; d < nDim; d++)
@@ -170,34 +245,55 @@ void Foam::gasEquations::innerFluxes()
             }
             shock[i] =
                 sensesShocks_
-             && (
-                    (shocksStay_ && shocked_[f])
-                 || inShock<nDim>(qo, qr, go, gr, delta)
-                );
-            shocked_[f] = shock[i];
-            shockedBlock = shockedBlock || shock[i];
+              ? shareInShock<nDim>(qo, qr, go, gr, delta)
+              : 0;
+            shockedBlock = shockedBlock || shock[i] > 0;
             troubledFace[i] = anyTroubled_ && (troubled_[o] || troubled_[r]);
-            troubledBlock = troubledBlock || troubledFace[i];
+            troubledBlock = troubledBlock || troubledFace[i] > 0;
         }
 
+        if (rough_)
+        {
+            firstOrder_(block, n, 0, nVar);
+        }
         for (const variableLimiter& limiter : reconstruction_)
         {
-            limiter.reconstruct(block, n, limiter.first, limiter.end);
+            if (!rough_)
+            {
+                limiter.reconstruct(block, n, limiter.first, limiter.end);
+            }
         }
         flux_(block, n, closure_);
 
         if (shockedBlock)
         {
-            if (roughShocks_)
+            if (flatShocks_)
             {
                 firstOrder_(block, n, 0, nVar);
             }
-            replaceFluxes(block, n, shock);
+            blendFluxes(block, n, shock);
         }
         if (troubledBlock)
         {
             firstOrder_(block, n, 0, nVar);
-            replaceFluxes(block, n, troubledFace);
+            blendFluxes(block, n, troubledFace);
+        }
+
+        for (int i = 0; i < n && mirrored; i++)
+        {
+            // Nothing but pressure, to the last digit
+            const double* normal = &geometry_.normal[(first + i)*nDim];
+            double pressure = 0;
+            for (int d = 0; d < nDim; d++)
+            {
+                pressure += block.flux[2 + d][i]*normal[d];
+            }
+            block.flux[0][i] = 0;
+            block.flux[1][i] = 0;
+            for (int d = 0; d < nDim; d++)
+            {
+                block.flux[2 + d][i] = pressure*normal[d];
+            }
         }
 
         for (int i = 0; i < n; i++)
@@ -237,10 +333,13 @@ void Foam::gasEquations::innerFluxes()
     range(0, geometry_.nInternal());
     for (const gasMesh::patchRange& patch : geometry_.patches())
     {
-        if (patch.coupled)
+        // The gas goes on behind a symmetry plane: half a body then has the
+        // flow of the whole body
+        if (patch.coupled || patch.symmetry)
         {
             massFlux =
                 phi_.boundaryFieldRef()[patch.patchi].begin() - patch.start;
+            mirrored = patch.symmetry;
             range(patch.start, patch.start + patch.size);
         }
     }
@@ -256,7 +355,7 @@ void Foam::gasEquations::boundaryFluxes()
     for (const gasMesh::patchRange& patch : geometry_.patches())
     {
         k++;
-        if (patch.coupled)
+        if (patch.coupled || patch.symmetry)
         {
             continue;
         }
@@ -289,6 +388,32 @@ void Foam::gasEquations::boundaryFluxes()
             else
             {
                 exactFlux(q, n, nDim, closure_, flux);
+            }
+
+            if (patch.wedge)
+            {
+                // What swirl carries out of one face and, turned, into the
+                // other: centrifugal and Coriolis force
+                double radial[nDim];
+                double around[nDim];
+                geometry_.turning(f, radial, around);
+                const double* u = &primitive[c*nVar + 2];
+                double swirl = 0;
+                double outward = 0;
+                double across = 0;
+                for (int d = 0; d < nDim; d++)
+                {
+                    swirl += u[d]*around[d];
+                    outward += u[d]*radial[d];
+                    across += n[d]*radial[d];
+                }
+                const double m =
+                    across*swirl*primitive[c*nVar]
+                   /(closure_.R*primitive[c*nVar + 1]);
+                for (int d = 0; d < nDim; d++)
+                {
+                    flux[2 + d] += m*(swirl*radial[d] - outward*around[d]);
+                }
             }
 
             phip[i] = flux[0]*S;

@@ -79,11 +79,9 @@ void Foam::gasEquations::setSchemes()
     const int nDim = geometry_.nDim();
 
     flux_ = selectFlux(fluxName, nDim, closure_.thermallyPerfect());
-    robustFlux_ = selectFlux("Kurganov", nDim, closure_.thermallyPerfect());
+    robustFlux_ = shockFlux(nDim, closure_.thermallyPerfect());
     sensesShocks_ = fluxName != "Kurganov" && fluxName != "Tadmor";
-    shocksStay_ = false;
-    roughShocks_ = false;
-    shocked_.assign(geometry_.nFaces(), 0);
+    flatShocks_ = false;
 
     if (!flux_)
     {
@@ -173,6 +171,8 @@ Foam::gasEquations::gasEquations
     warnedOfTemperature_(false),
     viscous_(viscous),
     turbulence_(geometry_, rho, U, phi, thermo, viscous),
+    passed_(0),
+    rough_(false),
     troubled_(geometry_.nSlots(), 0),
     anyTroubled_(false),
     brokenFace_(-1),

@@ -4,72 +4,171 @@
 
 #include "gasEquations.H"
 
-Foam::scalar Foam::gasEquations::imbalance() const
+const Foam::FixedList<Foam::word, 3> Foam::gasImbalance::names
+({
+    "mass", "momentum", "energy"
+});
+
+
+Foam::label Foam::gasImbalance::worst() const
+{
+    // A NaN compares with nothing, and is the worst there is
+    label w = 0;
+    for (label k = 1; k < 3; k++)
+    {
+        w = largest[w] >= largest[k] ? w : k;
+    }
+    return w;
+}
+
+
+Foam::Ostream& Foam::operator<<(Ostream& os, const gasImbalance& b)
+{
+    for (label k = 0; k < 3; k++)
+    {
+        os  << (k ? ", " : "") << gasImbalance::names[k] << ' '
+            << b.largest[k];
+    }
+    return os;
+}
+
+
+void Foam::gasEquations::scales
+(
+    std::vector<double>& unknown,
+    std::vector<double>& equation
+) const
 {
     const int nDim = geometry_.nDim();
-    soundSpeed(soundSpeed_);
-
-    // Sums over cells: |rates| of mass, momentum and energy, and the
-    // mass-weighted means of |u| + a and H that scale the last two
-    FixedList<scalar, 8> sums(Zero);
-    enum {mass, momentum, energy, weight, speed, enthalpy, inflow, acoustic};
+    spectralRadius(cellLambda_);
 
     for (label c = 0; c < geometry_.nCells(); c++)
     {
-        const double* R = &rate[c*nVar_];
-        const double* w = &conserved[c*nVar_];
         const double* q = &primitive[c*nVar_];
-        double mm = 0;
         double uu = 0;
         for (int d = 0; d < nDim; d++)
         {
-            mm += R[2 + d]*R[2 + d];
             uu += q[2 + d]*q[2 + d];
         }
-        const double m = w[0]*geometry_.volume[c];
-        sums[mass] += mag(R[0]);
-        sums[momentum] += std::sqrt(mm);
-        sums[energy] += mag(R[1]);
-        sums[weight] += m;
-        sums[speed] += m*(std::sqrt(uu) + soundSpeed_[c]);
-        sums[enthalpy] += m*(w[1] + q[0])/w[0];
+        const double rho = q[0]/(closure_.R*q[1]);
+        const double speed = std::sqrt(uu) + soundSpeed_[c];
+        double* s = &unknown[c*nVar_];
+        s[0] = rho;
+        s[1] = rho*speed*speed;
+        for (int d = 0; d < nDim; d++)
+        {
+            s[2 + d] = rho*speed;
+        }
+        for (int k = 0; k < nVar_; k++)
+        {
+            equation[c*nVar_ + k] = 0.5*cellLambda_[c]*s[k];
+        }
+    }
+}
+
+
+Foam::gasImbalance Foam::gasEquations::imbalance(const scalar bound) const
+{
+    const int nDim = geometry_.nDim();
+    const label nCells = geometry_.nCells();
+    std::vector<double> unknown(nCells*nVar_);
+    std::vector<double> equation(nCells*nVar_);
+    scales(unknown, equation);
+
+    gasImbalance b;
+    b.largest = -1;
+    b.cell = -1;
+    b.nAbove = 0;
+
+    // Net inflow, and inflow, of mass and total enthalpy
+    FixedList<scalar, 4> flows(Zero);
+    scalar squares = 0;
+
+    for (label c = 0; c < nCells; c++)
+    {
+        const double* R = &rate[c*nVar_];
+        const double* s = &equation[c*nVar_];
+        double mm = 0;
+        for (int d = 0; d < nDim; d++)
+        {
+            mm += sqr(R[2 + d]);
+        }
+        const double value[3] =
+            {mag(R[0])/s[0], std::sqrt(mm)/s[2], mag(R[1])/s[1]};
+        bool above = false;
+        for (label k = 0; k < 3; k++)
+        {
+            if (!(value[k] <= b.largest[k]))
+            {
+                b.largest[k] = value[k];
+                b.cell[k] = c;
+            }
+            above = above || !(value[k] <= bound);
+            squares += sqr(value[k]);
+        }
+        b.nAbove += above;
+        flows[0] += R[0];
+        flows[1] += R[1];
     }
 
     for (const gasMesh::patchRange& patch : geometry_.patches())
     {
-        if (!patch.coupled)
+        if (patch.coupled)
         {
-            for (const scalar m : phi_.boundaryField()[patch.patchi])
+            continue;
+        }
+        for (label f = patch.start; f < patch.start + patch.size; f++)
+        {
+            const scalar m =
+                phi_.boundaryField()[patch.patchi][f - patch.start];
+            if (m < 0)
             {
-                sums[inflow] -= min(m, scalar(0));
+                const double* q = &primitive[geometry_.far[f]*nVar_];
+                scalar H =
+                    closure_.thermallyPerfect()
+                  ? closure_.enthalpy<true>(q[1])
+                  : closure_.enthalpy<false>(q[1]);
+                for (int d = 0; d < nDim; d++)
+                {
+                    H += 0.5*sqr(q[2 + d]);
+                }
+                flows[2] -= m;
+                flows[3] -= m*H;
             }
         }
     }
-    for (label f = 0; f < geometry_.nInternal(); f++)
+
+    for (scalar& flow : flows)
     {
-        const label o = geometry_.owner[f];
-        sums[acoustic] +=
-            conserved[o*nVar_]*soundSpeed_[o]*geometry_.area[f];
+        reduce(flow, sumOp<scalar>());
     }
+    reduce(b.nAbove, sumOp<label>());
+    reduce(squares, sumOp<scalar>());
+    b.mean = std::sqrt
+    (
+        squares/(3*returnReduce(scalar(nCells), sumOp<scalar>()))
+    );
+    b.massBalance = flows[0]/max(flows[2], VSMALL);
+    b.enthalpyBalance = flows[1]/max(flows[3], VSMALL);
 
-    for (scalar& sum : sums)
+    for (label k = 0; k < 3; k++)
     {
-        reduce(sum, sumOp<scalar>());
-    }
-
-    // A closed domain is measured by the mass that crosses its faces at the
-    // speed of sound
-    const scalar flow = sums[inflow] > 0 ? sums[inflow] : sums[acoustic];
-
-    return
-        max
+        const scalar all = returnReduce(b.largest[k], maxOp<scalar>());
+        b.rank[k] = returnReduce
         (
-            sums[mass],
-            max
-            (
-                sums[momentum]*sums[weight]/sums[speed],
-                sums[energy]*sums[weight]/sums[enthalpy]
-            )
-        )
-       /flow;
+            b.largest[k] >= all && b.cell[k] >= 0
+          ? Pstream::myProcNo()
+          : labelMax,
+            minOp<label>()
+        );
+        const bool here = b.rank[k] == Pstream::myProcNo();
+        b.place[k] = returnReduce
+        (
+            here ? mesh_.cellCentres()[b.cell[k]] : point(-GREAT, -GREAT, -GREAT),
+            maxOp<point>()
+        );
+        b.cell[k] = returnReduce(here ? b.cell[k] : -1, maxOp<label>());
+        b.largest[k] = all;
+    }
+    return b;
 }

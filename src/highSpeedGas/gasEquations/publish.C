@@ -44,7 +44,7 @@ void Foam::gasEquations::publish(const bool asWritten)
     for (const gasMesh::patchRange& patch : geometry_.patches())
     {
         k++;
-        if (!reconstructed_[k] || patch.symmetry)
+        if (!reconstructed_[k] || patch.image())
         {
             continue;
         }

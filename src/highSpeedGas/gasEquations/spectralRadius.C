@@ -20,6 +20,44 @@ void Foam::gasEquations::soundSpeed(std::vector<double>& a) const
 }
 
 
+double Foam::gasEquations::diffusivity(const label f) const
+{
+    const label o = geometry_.owner[f];
+    const label r = geometry_.far[f];
+    const double* state = &primitive[r*nVar_];
+    const double T = state[1];
+    double mu = closure_.viscosity(T);
+    const double density = state[0]/(closure_.R*T);
+    const double cv =
+        closure_.thermallyPerfect()
+      ? closure_.specificHeat<true>(T)
+      : closure_.cv;
+    double lambda =
+        closure_.thermallyPerfect()
+      ? closure_.conductivity<true>(mu, T)
+      : closure_.conductivity<false>(mu, T);
+    if (!eddyViscosity_.empty())
+    {
+        mu += max(eddyViscosity_[o], eddyViscosity_[r]);
+        lambda +=
+            (cv + closure_.R)*max(eddyDiffusivity_[o], eddyDiffusivity_[r]);
+    }
+    return
+        max(4.0/3*mu, lambda/cv)/density
+       *geometry_.area[f]/geometry_.normalDistance[f];
+}
+
+
+void Foam::gasEquations::faceDiffusion(std::vector<double>& diffusion) const
+{
+    diffusion.resize(geometry_.nFaces());
+    for (label f = 0; f < geometry_.nFaces(); f++)
+    {
+        diffusion[f] = diffusivity(f);
+    }
+}
+
+
 void Foam::gasEquations::faceSpectralRadius(std::vector<double>& lambda) const
 {
     const int nDim = geometry_.nDim();
@@ -46,28 +84,7 @@ void Foam::gasEquations::faceSpectralRadius(std::vector<double>& lambda) const
 
         if (viscous_)
         {
-            const double* state = &primitive[r*nVar_];
-            const double T = state[1];
-            double mu = closure_.viscosity(T);
-            const double density = state[0]/(closure_.R*T);
-            const double cv =
-                closure_.thermallyPerfect()
-              ? closure_.specificHeat<true>(T)
-              : closure_.cv;
-            double lambdaT =
-                closure_.thermallyPerfect()
-              ? closure_.conductivity<true>(mu, T)
-              : closure_.conductivity<false>(mu, T);
-            if (!eddyViscosity_.empty())
-            {
-                mu += max(eddyViscosity_[o], eddyViscosity_[r]);
-                lambdaT +=
-                    (cv + closure_.R)
-                   *max(eddyDiffusivity_[o], eddyDiffusivity_[r]);
-            }
-            lambda[f] +=
-                2*max(4.0/3*mu, lambdaT/cv)/density
-               *geometry_.area[f]/geometry_.normalDistance[f];
+            lambda[f] += 2*diffusivity(f);
         }
     }
 }

@@ -101,6 +101,57 @@ void Foam::gasEquations::viscousFlux
 
 
 template<int nDim>
+void Foam::gasEquations::hoopStress(const label f)
+{
+    constexpr int nVar = nDim + 2;
+    const label c = geometry_.owner[f];
+    const double* g = &gradient_[c*(nVar*nDim)];
+    const double* n = &geometry_.normal[f*nDim];
+    double mu = closure_.viscosity(primitive[c*nVar + 1]);
+    if (!eddyViscosity_.empty())
+    {
+        mu += eddyViscosity_[c];
+    }
+
+    double r[nDim];
+    double t[nDim];
+    geometry_.turning(f, r, t);
+
+    double divU = 0;
+    for (int d = 0; d < nDim; d++)
+    {
+        divU += g[d*nVar + 2 + d];
+    }
+
+    // Traction on a plane through the axis
+    double traction[nDim];
+    double along = 0;
+    double radial = 0;
+    double across = 0;
+    for (int d = 0; d < nDim; d++)
+    {
+        traction[d] = -2.0/3*divU*t[d];
+        for (int k = 0; k < nDim; k++)
+        {
+            traction[d] += (g[k*nVar + 2 + d] + g[d*nVar + 2 + k])*t[k];
+        }
+        along += traction[d]*t[d];
+        radial += traction[d]*r[d];
+        across += n[d]*r[d];
+    }
+
+    // Of the tractions on both faces of the wedge, turned towards each other,
+    // this remains; their work cancels
+    double* rate_c = &rate[c*nVar];
+    const double share = mu*across*geometry_.area[f];
+    for (int d = 0; d < nDim; d++)
+    {
+        rate_c[2 + d] += share*(along*r[d] - radial*t[d]);
+    }
+}
+
+
+template<int nDim>
 void Foam::gasEquations::viscousFluxes()
 {
     constexpr int width = (nDim + 2)*nDim;
@@ -118,9 +169,13 @@ void Foam::gasEquations::viscousFluxes()
     {
         for (label f = patch.start; f < patch.start + patch.size; f++)
         {
-            if (patch.coupled)
+            if (patch.coupled || patch.symmetry)
             {
                 viscousFlux<nDim>(f, geometry_.weight[f], far(f));
+            }
+            else if (patch.wedge)
+            {
+                hoopStress<nDim>(f);
             }
             else if (!frictionless_[patch.patchi])
             {

@@ -112,7 +112,7 @@ void Foam::gasTurbulence::take
             const fvPatchScalarField& pf = from.boundaryField()[patch.patchi];
             double* ghost =
                 &to[geometry_.nCells() + patch.start - geometry_.nInternal()];
-            if (patch.symmetry)
+            if (patch.image())
             {
                 const labelUList& cells = pf.patch().faceCells();
                 for (label i = 0; i < patch.size; i++)

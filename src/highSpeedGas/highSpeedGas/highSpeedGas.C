@@ -170,7 +170,7 @@ void Foam::highSpeedGas::readSettings()
         scalar(implicit_ ? 100 : adjustsTimeStep_ ? 1 : 0.5)
     );
     stepCo_ = getNumber(control, "maxCo", "(0, 1e300]", scalar(0.5));
-    residual_ = getNumber(d, "residual", "(0, 1)", scalar(1e-4));
+    residual_ = getNumber(d, "residual", "(0, 1)", scalar(1e-6));
     maxIterations_ =
         getNumber<label>(d, "maxIterations", validRange::count, 10000);
     reportEvery_ = getNumber<label>(d, "reportEvery", validRange::count, 100);
@@ -456,7 +456,7 @@ void Foam::highSpeedGas::findSteadyState()
         {implicit_, stages_, maxCo_, residual_, maxIterations_, reportEvery_}
     );
     solution.solve();
-    state_.set("imbalance", solution.imbalance());
+    state_.set("imbalance", solution.imbalance().value());
     state_.set("iterations", solution.iterations());
     steady_ = true;
 }

@@ -4,7 +4,9 @@
 
 #include "steadySolution.H"
 #include "ImplicitGaussSeidel.H"
+#include "NewtonKrylov.H"
 #include "RungeKutta.H"
+#include <memory>
 
 Foam::steadySolution::steadySolution
 (
@@ -14,104 +16,189 @@ Foam::steadySolution::steadySolution
 :
     equations_(equations),
     settings_(s),
-    imbalance_(GREAT),
     iterations_(0)
 {}
 
 
-bool Foam::steadySolution::solve()
+bool Foam::steadySolution::finished()
 {
-    Info<< "Gas: marching to a steady state" << endl;
+    imbalance_ = equations_.imbalance(settings_.residual);
+    return
+        imbalance_.value() <= settings_.residual
+     || iterations_ >= settings_.maxIterations;
+}
 
-    // Four symmetric sweeps: more buy fewer steps, but not fewer operations
-    ImplicitGaussSeidel implicit(equations_, 4);
-    RungeKutta march(equations_, settings_.stages);
 
-    // An impulsive start needs the first steps to be short. Where the march
-    // makes no headway, the steps are too long for the approximations of its
-    // left-hand side, and are halved.
-    const label patience = settings_.implicit ? 200 : 2000;
-    scalar largestCo = settings_.maxCo;
-    scalar Co = min(scalar(1), settings_.maxCo);
-    scalar best = GREAT;
-    label bestIteration = 0;
-    label setbacks = 0;
-
-    imbalance_ = GREAT;
-    iterations_ = 0;
-
-    while
-    (
-        iterations_ < settings_.maxIterations
-     && imbalance_ > settings_.residual
-    )
+void Foam::steadySolution::report(const char* method, const scalar Co) const
+{
+    if (iterations_ % settings_.reportEvery == 0)
     {
-        if (settings_.implicit)
+        Info<< "Gas: iteration " << iterations_ << ", " << method
+            << ", Courant number " << Co << ", imbalance of " << imbalance_
+            << endl;
+    }
+}
+
+
+void Foam::steadySolution::marchExplicitly()
+{
+    RungeKutta march(equations_, settings_.stages);
+    do
+    {
+        march.localStep(settings_.maxCo);
+        iterations_++;
+        equations_.computeRate();
+        report("explicit", settings_.maxCo);
+    }
+    while (!finished());
+}
+
+
+void Foam::steadySolution::approach
+(
+    ImplicitGaussSeidel& implicit,
+    const scalar largestCo
+)
+{
+    // An impulsive start needs the first steps to be short. The march is left
+    // to Newton's method near the steady state, and where it no longer comes
+    // nearer.
+    const label patience = 100;
+    const scalar near = 1e-3;
+    scalar reference = GREAT;
+    scalar Co = min(scalar(1), largestCo);
+
+    for (label i = 1; ; i++)
+    {
+        Co = min(largestCo, implicit.localStep(Co) ? 1.1*Co : 0.5*Co);
+        if (Co < 1e-3*min(settings_.maxCo, scalar(1)))
         {
-            Co = min(largestCo, implicit.localStep(Co) ? 1.1*Co : 0.5*Co);
-            if (Co < 1e-3*min(settings_.maxCo, scalar(1)))
-            {
-                equations_.reportTrouble();
-            }
-        }
-        else
-        {
-            march.localStep(settings_.maxCo);
+            equations_.reportTrouble();
         }
         iterations_++;
 
-        imbalance_ = equations_.imbalance();
-        if (imbalance_ < 0.7*best)
+        if (finished())
         {
-            best = imbalance_;
-            bestIteration = iterations_;
+            return;
         }
-        else if (iterations_ - bestIteration >= patience)
+        report("Gauss-Seidel", Co);
+
+        if (imbalance_.value() < near)
         {
-            setbacks++;
-            if (setbacks == 3)
-            {
-                // What was held before may bear the marks of the unrest
-                Info<< "Gas: taking the shocks to first order, so that they"
-                    << " come to rest" << endl;
-                equations_.roughenShocks();
-                equations_.holdShocks(false);
-            }
-            else
-            {
-                equations_.holdShocks(true);
-            }
-            largestCo = max
-            (
-                min(settings_.maxCo, scalar(1)),
-                0.5*min(Co, largestCo)
-            );
-            bestIteration = iterations_;
+            return;
         }
-        if (iterations_ % settings_.reportEvery == 0)
+        if (i % patience == 0)
         {
-            Info<< "Gas: iteration " << iterations_ << ", imbalance "
-                << imbalance_;
-            if (settings_.implicit)
+            if (imbalance_.mean > 0.7*reference)
             {
-                Info<< ", Courant number " << Co;
+                return;
             }
-            Info<< endl;
+            reference = imbalance_.mean;
         }
     }
+}
 
-    if (imbalance_ > settings_.residual)
+
+void Foam::steadySolution::converge(NewtonKrylov& newton)
+{
+    const label patience = 40;
+    scalar best = GREAT;
+    label bestIteration = iterations_;
+    scalar Co = 10;
+
+    equations_.calm();
+    while (iterations_ - bestIteration < patience && Co > 0.01)
     {
-        WarningInFunction
-            << "The gas is not steady after " << iterations_
-            << " iterations: imbalance " << imbalance_
-            << ", wanted " << settings_.residual << endl;
+        const scalar before = newton.norm();
+        const scalar share = newton.step(Co);
+        iterations_++;
+        if (finished())
+        {
+            return;
+        }
+        report("Newton", Co);
+
+        // The step grows as the residual falls, but no faster than twofold
+        const scalar small = max(scalar(20), 3e-3/newton.norm());
+        const scalar ratio = before/newton.norm();
+        Co =
+            share == 0 ? 0.25*Co
+          : share < 1 ? max(0.5, min(ratio, 1.0))*Co
+          : max(max(0.5, min(ratio, 2.0))*Co, min(2*Co, small));
+
+        if (newton.norm() < 0.7*best)
+        {
+            best = newton.norm();
+            bestIteration = iterations_;
+        }
+    }
+}
+
+
+bool Foam::steadySolution::solve()
+{
+    Info<< "Gas: looking for the steady state" << endl;
+
+    // Differences of 0.03 % between cells pass the limiter
+    equations_.smoothLimiter(3e-4);
+    equations_.flattenShocks();
+
+    if (settings_.implicit)
+    {
+        // Four symmetric sweeps: more buy fewer steps, but not fewer
+        // operations
+        ImplicitGaussSeidel implicit(equations_, 4);
+        std::unique_ptr<NewtonKrylov> newton;
+        scalar Co = settings_.maxCo;
+
+        equations_.roughen(true);
+        approach(implicit, Co);
+        equations_.roughen(false);
+        equations_.computeRate();
+        if (!finished())
+        {
+            approach(implicit, Co);
+        }
+        while (!finished())
+        {
+            if (!newton)
+            {
+                newton.reset(new NewtonKrylov(equations_));
+            }
+            converge(*newton);
+            if (!finished())
+            {
+                // Shorter steps may lead to where Newton's method succeeds
+                Co = max(Co/3, min(scalar(2), settings_.maxCo));
+                approach(implicit, Co);
+            }
+        }
     }
     else
     {
-        Info<< "Gas: steady after " << iterations_
-            << " iterations, imbalance " << imbalance_ << endl;
+        marchExplicitly();
     }
 
-    return imbalance_ <= settings_.residual;
+    const bool steady = imbalance_.value() <= settings_.residual;
+    Info<< "Gas: balance of mass " << imbalance_.massBalance
+        << ", of total enthalpy " << imbalance_.enthalpyBalance
+        << " of what flows in" << endl;
+    if (steady)
+    {
+        Info<< "Gas: steady after " << iterations_
+            << " iterations, imbalance of " << imbalance_ << endl;
+    }
+    else
+    {
+        const label k = imbalance_.worst();
+        WarningInFunction
+            << "The gas is not steady after " << iterations_
+            << " iterations: in " << imbalance_.nAbove
+            << " cells the imbalance is above " << settings_.residual
+            << ", most in the equation of " << gasImbalance::names[k]
+            << " of cell " << imbalance_.cell[k] << " at "
+            << imbalance_.place[k] << " (rank " << imbalance_.rank[k]
+            << "), " << imbalance_.largest[k] << endl;
+    }
+    return steady;
 }

@@ -256,7 +256,7 @@ def trial(name, change):
 # The case itself must be good, with a short march
 for name in "good_rake50", "volumeFraction":
     status, text = trial(name, None if name == "good_rake50"
-                         else replace(SOLUTION, "residual        1e-4",
+                         else replace(SOLUTION, "residual        1e-6",
                                       "maxIterations 1"))
     verdict("good_" + name.replace("good_", ""),
             status == 0 and "\nEnd" in text, complaint(text)

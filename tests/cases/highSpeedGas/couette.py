@@ -26,7 +26,7 @@ errors = []
 for n in 10, 20, 40:
     case = f"couette{n}"
     write_case(case, {"endTime": 1, "deltaT": 1, "writeInterval": 1},
-               {"mode": "steady", "viscous": "yes", "residual": 1e-9,
+               {"mode": "steady", "viscous": "yes", "residual": 1e-11,
                 "maxCo": 1000, "maxIterations": 20000})
     write_block(case, box((1e-4, HEIGHT, 1e-4)), (2, n, 1),
                 {"xMin": "cyclic", "xMax": "cyclic", "yMin": "wall",

@@ -1,0 +1,306 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "NewtonKrylov.H"
+#include <algorithm>
+
+Foam::NewtonKrylov::NewtonKrylov(gasEquations& gas)
+:
+    gas_(gas),
+    nVar_(gas.nVar()),
+    nCells_(gas.geometry().nCells()),
+    nUnknowns_(nCells_*nVar_),
+    unknownScale_(nUnknowns_),
+    equationScale_(nUnknowns_),
+    baseResidual_(nUnknowns_),
+    trial_(nUnknowns_),
+    work_(nUnknowns_),
+    norm_(GREAT),
+    nProducts_(0)
+{
+    setOrder();
+}
+
+
+void Foam::NewtonKrylov::setScales()
+{
+    gas_.scales(unknownScale_, equationScale_);
+}
+
+
+Foam::scalar Foam::NewtonKrylov::dot
+(
+    const std::vector<double>& a,
+    const std::vector<double>& b
+) const
+{
+    scalar sum = 0;
+    for (label i = 0; i < nUnknowns_; i++)
+    {
+        sum += a[i]*b[i];
+    }
+    return returnReduce(sum, sumOp<scalar>());
+}
+
+
+void Foam::NewtonKrylov::residual(std::vector<double>& r) const
+{
+    for (label i = 0; i < nUnknowns_; i++)
+    {
+        r[i] = gas_.rate[i]/equationScale_[i];
+    }
+}
+
+
+bool Foam::NewtonKrylov::move
+(
+    const std::vector<double>& change,
+    const scalar share
+)
+{
+    for (label i = 0; i < nUnknowns_; i++)
+    {
+        trial_[i] = base_[i] + share*change[i]*unknownScale_[i];
+    }
+    if (gas_.accept(trial_) != 0)
+    {
+        gas_.calm();
+        return false;
+    }
+    gas_.correctBoundary();
+    gas_.computeRate();
+    nProducts_++;
+    return true;
+}
+
+
+void Foam::NewtonKrylov::multiply
+(
+    const std::vector<double>& v,
+    const scalar Co,
+    std::vector<double>& Av
+)
+{
+    // A change of 1e-7 of the state in the mean; v has unit length
+    const scalar nAll = returnReduce(scalar(nUnknowns_), sumOp<scalar>());
+    scalar largest = 0;
+    for (label i = 0; i < nUnknowns_; i++)
+    {
+        largest = max(largest, mag(v[i]));
+    }
+    reduce(largest, maxOp<scalar>());
+    const scalar step =
+        min(1e-7*std::sqrt(nAll), 1e-4/max(largest, VSMALL));
+
+    if (!move(v, step))
+    {
+        FatalErrorInFunction
+            << "A change of the gas by " << step << " of itself is not"
+            << " possible" << exit(FatalError);
+    }
+    for (label i = 0; i < nUnknowns_; i++)
+    {
+        Av[i] =
+            v[i]/Co
+          - (gas_.rate[i]/equationScale_[i] - baseResidual_[i])/step;
+    }
+}
+
+
+void Foam::NewtonKrylov::solve
+(
+    const scalar Co,
+    const scalar tolerance,
+    std::vector<double>& change
+)
+{
+    const int mMax = 60;
+    basis_.resize(mMax + 1);
+
+    const scalar start = std::sqrt(dot(baseResidual_, baseResidual_));
+    std::vector<std::vector<double>> H(mMax);
+    std::vector<double> g(mMax + 1, 0);
+    std::vector<double> cosine(mMax);
+    std::vector<double> sine(mMax);
+
+    basis_[0] = baseResidual_;
+    for (double& b : basis_[0])
+    {
+        b /= start;
+    }
+    g[0] = start;
+
+    int m = 0;
+    while (m < mMax && mag(g[m]) > tolerance*start)
+    {
+        precondition(basis_[m], work_);
+        std::vector<double>& w = basis_[m + 1];
+        w.resize(nUnknowns_);
+        {
+            // The difference is of a vector of unit length
+            const scalar length = std::sqrt(dot(work_, work_));
+            for (double& x : work_)
+            {
+                x /= length;
+            }
+            multiply(work_, Co, w);
+            for (double& x : w)
+            {
+                x *= length;
+            }
+        }
+
+        std::vector<double>& h = H[m];
+        h.assign(m + 2, 0);
+        for (int i = 0; i <= m; i++)
+        {
+            h[i] = dot(w, basis_[i]);
+            const double hi = h[i];
+            for (label k = 0; k < nUnknowns_; k++)
+            {
+                w[k] -= hi*basis_[i][k];
+            }
+        }
+        h[m + 1] = std::sqrt(dot(w, w));
+        const double inverse = 1/max(h[m + 1], VSMALL);
+        for (double& x : w)
+        {
+            x *= inverse;
+        }
+
+        for (int i = 0; i < m; i++)
+        {
+            const double t = cosine[i]*h[i] + sine[i]*h[i + 1];
+            h[i + 1] = -sine[i]*h[i] + cosine[i]*h[i + 1];
+            h[i] = t;
+        }
+        const double length = std::hypot(h[m], h[m + 1]);
+        cosine[m] = h[m]/length;
+        sine[m] = h[m + 1]/length;
+        h[m] = length;
+        g[m + 1] = -sine[m]*g[m];
+        g[m] *= cosine[m];
+        m++;
+    }
+
+    std::vector<double> y(m);
+    for (int i = m - 1; i >= 0; i--)
+    {
+        double sum = g[i];
+        for (int j = i + 1; j < m; j++)
+        {
+            sum -= H[j][i]*y[j];
+        }
+        y[i] = sum/H[i][i];
+    }
+
+    std::fill(change.begin(), change.end(), 0);
+    for (int i = 0; i < m; i++)
+    {
+        for (label k = 0; k < nUnknowns_; k++)
+        {
+            change[k] += y[i]*basis_[i][k];
+        }
+    }
+    precondition(change, work_);
+    change = work_;
+}
+
+
+Foam::scalar Foam::NewtonKrylov::limit(std::vector<double>& change) const
+{
+    const int nDim = nVar_ - 2;
+    const scalar most = 0.3;
+    label nLimited = 0;
+
+    for (label c = 0; c < nCells_; c++)
+    {
+        const double* w = &base_[c*nVar_];
+        const double* q = &basePrimitive_[c*nVar_];
+        const double* s = &unknownScale_[c*nVar_];
+        double* x = &change[c*nVar_];
+        double uu = 0;
+        double udm = 0;
+        for (int d = 0; d < nDim; d++)
+        {
+            uu += q[2 + d]*q[2 + d];
+            udm += q[2 + d]*x[2 + d]*s[2 + d];
+        }
+        const double rhoe = w[1] - 0.5*w[0]*uu;
+        const double drhoe = x[1]*s[1] - udm + 0.5*uu*x[0]*s[0];
+        const double worst = max(mag(x[0]*s[0])/w[0], mag(drhoe)/rhoe);
+        if (worst > most)
+        {
+            for (int k = 0; k < nVar_; k++)
+            {
+                x[k] *= most/worst;
+            }
+            nLimited++;
+        }
+    }
+    reduce(nLimited, sumOp<label>());
+    return nLimited ? 0.5 : 1;
+}
+
+
+Foam::scalar Foam::NewtonKrylov::step(const scalar Co)
+{
+    gas_.computeRate();
+    setScales();
+    base_ = gas_.conserved;
+    basePrimitive_ = gas_.primitive;
+    residual(baseResidual_);
+
+    const scalar nAll = returnReduce(scalar(nUnknowns_), sumOp<scalar>());
+    const scalar before = std::sqrt(dot(baseResidual_, baseResidual_)/nAll);
+    norm_ = before;
+    if (before < VSMALL)
+    {
+        return 1;
+    }
+
+    if (nVar_ == 4)
+    {
+        assemble<2>(Co);
+    }
+    else
+    {
+        assemble<3>(Co);
+    }
+
+    std::vector<double> change(nUnknowns_);
+    solve(Co, 0.1, change);
+    scalar share = limit(change);
+
+    // The way to the steady state may lead uphill, but not far
+    const scalar uphill = 2;
+    bool accepted = false;
+    scalar part = 1;
+    for (int attempt = 0; attempt < 3 && !accepted; attempt++)
+    {
+        if (move(change, part))
+        {
+            residual(work_);
+            norm_ = std::sqrt(dot(work_, work_)/nAll);
+            accepted = norm_ < uphill*before;
+        }
+        part *= accepted ? 1 : 0.5;
+    }
+    share *= part;
+
+    if (accepted)
+    {
+        gas_.conserved = trial_;
+    }
+    else
+    {
+        share = 0;
+        norm_ = before;
+        gas_.primitive = basePrimitive_;
+        gas_.restore(base_);
+        gas_.correctBoundary();
+        gas_.computeRate();
+    }
+    return share;
+}

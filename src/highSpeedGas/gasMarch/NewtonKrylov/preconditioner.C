@@ -1,0 +1,520 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "NewtonKrylov.H"
+#include "bandCompression.H"
+#include <algorithm>
+
+namespace Foam
+{
+namespace
+{
+
+//- Jacobian of the flux through a unit area with normal n: A[row][column] in
+//  the order rho, rho E, rho u
+template<int nDim>
+struct fluxJacobian
+{
+    static constexpr int nVar = nDim + 2;
+
+    double A[nVar][nVar];
+    double un;
+    double a;
+
+    //- Pressure change with the conserved variables
+    double dp[nVar];
+
+    fluxJacobian(const double* q, const double* n, const gasClosure& gas)
+    {
+        const double T = q[1];
+        const double RT = gas.R*T;
+        const bool thermally = gas.thermallyPerfect();
+        const double e =
+            thermally ? gas.energy<true>(T) : gas.energy<false>(T);
+        const double kappa =
+            gas.R/(thermally ? gas.specificHeat<true>(T) : gas.cv);
+
+        double uu = 0;
+        un = 0;
+        for (int d = 0; d < nDim; d++)
+        {
+            uu += q[2 + d]*q[2 + d];
+            un += q[2 + d]*n[d];
+        }
+        a = std::sqrt((1 + kappa)*RT);
+        const double H = e + RT + 0.5*uu;
+
+        dp[0] = RT + kappa*(0.5*uu - e);
+        dp[1] = kappa;
+        for (int d = 0; d < nDim; d++)
+        {
+            dp[2 + d] = -kappa*q[2 + d];
+        }
+
+        A[0][0] = 0;
+        A[0][1] = 0;
+        A[1][0] = -H*un + un*dp[0];
+        A[1][1] = un*(1 + dp[1]);
+        for (int d = 0; d < nDim; d++)
+        {
+            A[0][2 + d] = n[d];
+            A[1][2 + d] = H*n[d] + un*dp[2 + d];
+        }
+        for (int k = 0; k < nDim; k++)
+        {
+            const double u = q[2 + k];
+            A[2 + k][0] = -u*un + dp[0]*n[k];
+            A[2 + k][1] = dp[1]*n[k];
+            for (int d = 0; d < nDim; d++)
+            {
+                A[2 + k][2 + d] = u*n[d] + dp[2 + d]*n[k];
+            }
+            A[2 + k][2 + k] += un;
+        }
+    }
+
+    //- |A|: the quadratic of A that takes its three eigenvalues to their
+    //  magnitudes, none below a share of the largest
+    void magnitude(const double floor, double (&M)[nVar][nVar]) const
+    {
+        const double least = floor*(std::fabs(un) + a);
+        const double l0 = std::max(std::fabs(un - a), least);
+        const double l1 = std::max(std::fabs(un), least);
+        const double l2 = std::max(std::fabs(un + a), least);
+        const double linear = 0.5*(l2 - l0)/a;
+        const double square = 0.5*(l2 - 2*l1 + l0)/(a*a);
+
+        double B[nVar][nVar];
+        for (int i = 0; i < nVar; i++)
+        {
+            for (int j = 0; j < nVar; j++)
+            {
+                B[i][j] = A[i][j] - (i == j ? un : 0);
+            }
+        }
+        for (int i = 0; i < nVar; i++)
+        {
+            for (int j = 0; j < nVar; j++)
+            {
+                double sum = 0;
+                for (int k = 0; k < nVar; k++)
+                {
+                    sum += B[i][k]*B[k][j];
+                }
+                M[i][j] =
+                    (i == j ? l1 : 0) + linear*B[i][j] + square*sum;
+            }
+        }
+    }
+};
+
+
+template<int n>
+inline void invert(double* M)
+{
+    double w[n][2*n];
+    for (int i = 0; i < n; i++)
+    {
+        for (int j = 0; j < n; j++)
+        {
+            w[i][j] = M[i*n + j];
+            w[i][n + j] = i == j;
+        }
+    }
+    for (int k = 0; k < n; k++)
+    {
+        int pivot = k;
+        for (int i = k + 1; i < n; i++)
+        {
+            pivot = std::fabs(w[i][k]) > std::fabs(w[pivot][k]) ? i : pivot;
+        }
+        if (pivot != k)
+        {
+            std::swap_ranges(w[k], w[k] + 2*n, w[pivot]);
+        }
+        const double d = w[k][k] != 0 ? 1/w[k][k] : 1;
+        for (int j = k; j < 2*n; j++)
+        {
+            w[k][j] *= d;
+        }
+        for (int i = 0; i < n; i++)
+        {
+            if (i != k)
+            {
+                const double f = w[i][k];
+                for (int j = k; j < 2*n; j++)
+                {
+                    w[i][j] -= f*w[k][j];
+                }
+            }
+        }
+    }
+    for (int i = 0; i < n; i++)
+    {
+        std::copy(w[i] + n, w[i] + 2*n, M + i*n);
+    }
+}
+
+
+//- y -= M x
+template<int n>
+inline void subtractProduct(const double* M, const double* x, double* y)
+{
+    for (int i = 0; i < n; i++)
+    {
+        double sum = 0;
+        for (int j = 0; j < n; j++)
+        {
+            sum += M[i*n + j]*x[j];
+        }
+        y[i] -= sum;
+    }
+}
+
+
+template<int n>
+inline void multiplyBlocks(const double* a, const double* b, double* c)
+{
+    for (int i = 0; i < n; i++)
+    {
+        for (int j = 0; j < n; j++)
+        {
+            double sum = 0;
+            for (int k = 0; k < n; k++)
+            {
+                sum += a[i*n + k]*b[k*n + j];
+            }
+            c[i*n + j] = sum;
+        }
+    }
+}
+
+} // End anonymous namespace
+} // End namespace Foam
+
+
+void Foam::NewtonKrylov::setOrder()
+{
+    const gasMesh& mesh = gas_.geometry();
+
+    labelListList neighbours(nCells_);
+    {
+        labelList n(nCells_, Zero);
+        for (label f = 0; f < mesh.nInternal(); f++)
+        {
+            n[mesh.owner[f]]++;
+            n[mesh.far[f]]++;
+        }
+        forAll(neighbours, c)
+        {
+            neighbours[c].setSize(n[c]);
+        }
+        n = 0;
+        for (label f = 0; f < mesh.nInternal(); f++)
+        {
+            const label o = mesh.owner[f];
+            const label r = mesh.far[f];
+            neighbours[o][n[o]++] = r;
+            neighbours[r][n[r]++] = o;
+        }
+    }
+
+    const labelList order(bandCompression(neighbours));
+    cellOf_.assign(order.begin(), order.end());
+    rowOf_.resize(nCells_);
+    for (label r = 0; r < nCells_; r++)
+    {
+        rowOf_[cellOf_[r]] = r;
+    }
+
+    rowStart_.assign(1, 0);
+    diagonal_.resize(nCells_);
+    for (label r = 0; r < nCells_; r++)
+    {
+        const labelList& cells = neighbours[cellOf_[r]];
+        std::vector<int> columns(1, r);
+        for (const label c : cells)
+        {
+            columns.push_back(rowOf_[c]);
+        }
+        std::sort(columns.begin(), columns.end());
+        columns.erase
+        (
+            std::unique(columns.begin(), columns.end()),
+            columns.end()
+        );
+        for (const int column : columns)
+        {
+            if (column == r)
+            {
+                diagonal_[r] = label(column_.size());
+            }
+            column_.push_back(column);
+        }
+        rowStart_.push_back(label(column_.size()));
+    }
+
+    auto place = [&](const int row, const int column)
+    {
+        const auto start = column_.begin() + rowStart_[row];
+        const auto end = column_.begin() + rowStart_[row + 1];
+        return int(std::lower_bound(start, end, column) - column_.begin());
+    };
+
+    ownerBlock_.resize(mesh.nInternal());
+    farBlock_.resize(mesh.nInternal());
+    for (label f = 0; f < mesh.nInternal(); f++)
+    {
+        const int o = rowOf_[mesh.owner[f]];
+        const int r = rowOf_[mesh.far[f]];
+        ownerBlock_[f] = place(o, r);
+        farBlock_[f] = place(r, o);
+    }
+    block_.resize(column_.size()*nVar_*nVar_);
+}
+
+
+template<int nDim>
+void Foam::NewtonKrylov::assemble(const scalar Co)
+{
+    constexpr int nVar = nDim + 2;
+    constexpr int nn = nVar*nVar;
+    const gasMesh& mesh = gas_.geometry();
+    const gasClosure& closure = gas_.closure();
+    const double* primitive = gas_.primitive.data();
+
+    // Share of the largest speed below which no wave's dissipation falls
+    const double floor = 0.1;
+
+    std::fill(block_.begin(), block_.end(), 0);
+
+    closed_.assign(mesh.nFaces() - mesh.nInternal(), false);
+    for (size_t k = 0; k < mesh.patches().size(); k++)
+    {
+        const gasMesh::patchRange& patch = mesh.patches()[k];
+        for (label i = 0; i < patch.size && !patch.coupled; i++)
+        {
+            const label f = patch.start + i;
+            double un;
+            closed_[f - mesh.nInternal()] = gas_.impermeable(k, f, un);
+        }
+    }
+
+    // share*M, scaled from columns of cell c to rows of cell r
+    auto add = [&]
+    (
+        const int place,
+        const label r,
+        const label c,
+        const double share,
+        const double (&M)[nVar][nVar]
+    )
+    {
+        double* B = &block_[place*nn];
+        const double* rows = &equationScale_[r*nVar];
+        const double* columns = &unknownScale_[c*nVar];
+        for (int i = 0; i < nVar; i++)
+        {
+            const double s = share/rows[i];
+            for (int j = 0; j < nVar; j++)
+            {
+                B[i*nVar + j] += s*M[i][j]*columns[j];
+            }
+        }
+    };
+
+    for (label f = 0; f < mesh.nFaces(); f++)
+    {
+        const label o = mesh.owner[f];
+        const label r = mesh.far[f];
+        const double* n = &mesh.normal[f*nDim];
+        const double* qo = primitive + o*nVar;
+        const double* qr = primitive + r*nVar;
+        const double half = 0.5*mesh.area[f];
+        const int diagonal = diagonal_[rowOf_[o]];
+
+        const fluxJacobian<nDim> Ao(qo, n, closure);
+
+        if (f >= mesh.nInternal() && closed_[f - mesh.nInternal()])
+        {
+            // Pressure alone, and that of the cell
+            double P[nVar][nVar] = {};
+            for (int k = 0; k < nDim; k++)
+            {
+                for (int j = 0; j < nVar; j++)
+                {
+                    P[2 + k][j] = Ao.dp[j]*n[k];
+                }
+            }
+            add(diagonal, o, o, 2*half, P);
+            continue;
+        }
+
+        double mean[nVar];
+        for (int k = 0; k < nVar; k++)
+        {
+            mean[k] = 0.5*(qo[k] + qr[k]);
+        }
+        const fluxJacobian<nDim> between(mean, n, closure);
+        double M[nVar][nVar];
+        between.magnitude(floor, M);
+
+        add(diagonal, o, o, half, Ao.A);
+        add(diagonal, o, o, half, M);
+
+        if (f < mesh.nInternal())
+        {
+            const fluxJacobian<nDim> Ar(qr, n, closure);
+            const int diagonalFar = diagonal_[rowOf_[r]];
+            add(diagonalFar, r, r, -half, Ar.A);
+            add(diagonalFar, r, r, half, M);
+            add(ownerBlock_[f], o, r, half, Ar.A);
+            add(ownerBlock_[f], o, r, -half, M);
+            add(farBlock_[f], r, o, -half, Ao.A);
+            add(farBlock_[f], r, o, -half, M);
+        }
+    }
+
+    if (gas_.viscous())
+    {
+        // Conduction and friction as one diffusion of all variables
+        gas_.faceDiffusion(spectral_);
+        for (label f = 0; f < mesh.nFaces(); f++)
+        {
+            const label o = mesh.owner[f];
+            const label r = mesh.far[f];
+            double D[nVar][nVar] = {};
+            for (int k = 1; k < nVar; k++)
+            {
+                D[k][k] = spectral_[f];
+            }
+            add(diagonal_[rowOf_[o]], o, o, 1, D);
+            if (f < mesh.nInternal())
+            {
+                add(diagonal_[rowOf_[r]], r, r, 1, D);
+                add(ownerBlock_[f], o, r, -1, D);
+                add(farBlock_[f], r, o, -1, D);
+            }
+        }
+    }
+
+    for (label r = 0; r < nCells_; r++)
+    {
+        double* B = &block_[diagonal_[r]*nn];
+        for (int k = 0; k < nVar; k++)
+        {
+            B[k*nVar + k] += 1/Co;
+        }
+    }
+
+    factorise<nVar>();
+}
+
+
+template<int nVar>
+void Foam::NewtonKrylov::factorise()
+{
+    constexpr int nn = nVar*nVar;
+    double L[nn];
+    double product[nn];
+
+    for (label r = 0; r < nCells_; r++)
+    {
+        for (int i = rowStart_[r]; i < diagonal_[r]; i++)
+        {
+            // L = A_ik D_k^-1; the diagonal of a finished row is inverse
+            const int k = column_[i];
+            double* A = &block_[i*nn];
+            multiplyBlocks<nVar>(A, &block_[diagonal_[k]*nn], L);
+            std::copy(L, L + nn, A);
+
+            int j = i + 1;
+            for (int u = diagonal_[k] + 1; u < rowStart_[k + 1]; u++)
+            {
+                while (j < rowStart_[r + 1] && column_[j] < column_[u])
+                {
+                    j++;
+                }
+                if (j < rowStart_[r + 1] && column_[j] == column_[u])
+                {
+                    multiplyBlocks<nVar>(L, &block_[u*nn], product);
+                    double* target = &block_[j*nn];
+                    for (int m = 0; m < nn; m++)
+                    {
+                        target[m] -= product[m];
+                    }
+                }
+            }
+        }
+        invert<nVar>(&block_[diagonal_[r]*nn]);
+    }
+}
+
+
+template<int nVar>
+void Foam::NewtonKrylov::precondition
+(
+    const std::vector<double>& b,
+    std::vector<double>& x
+) const
+{
+    constexpr int nn = nVar*nVar;
+    double y[nVar];
+
+    for (label r = 0; r < nCells_; r++)
+    {
+        const label c = cellOf_[r];
+        std::copy(&b[c*nVar], &b[c*nVar] + nVar, y);
+        for (int i = rowStart_[r]; i < diagonal_[r]; i++)
+        {
+            subtractProduct<nVar>
+            (
+                &block_[i*nn], &x[cellOf_[column_[i]]*nVar], y
+            );
+        }
+        std::copy(y, y + nVar, &x[c*nVar]);
+    }
+    for (label r = nCells_ - 1; r >= 0; r--)
+    {
+        double* xc = &x[cellOf_[r]*nVar];
+        std::copy(xc, xc + nVar, y);
+        for (int i = diagonal_[r] + 1; i < rowStart_[r + 1]; i++)
+        {
+            subtractProduct<nVar>
+            (
+                &block_[i*nn], &x[cellOf_[column_[i]]*nVar], y
+            );
+        }
+        std::fill(xc, xc + nVar, 0);
+        const double* D = &block_[diagonal_[r]*nn];
+        for (int i = 0; i < nVar; i++)
+        {
+            for (int j = 0; j < nVar; j++)
+            {
+                xc[i] += D[i*nVar + j]*y[j];
+            }
+        }
+    }
+}
+
+
+void Foam::NewtonKrylov::precondition
+(
+    const std::vector<double>& b,
+    std::vector<double>& x
+) const
+{
+    if (nVar_ == 4)
+    {
+        precondition<4>(b, x);
+    }
+    else
+    {
+        precondition<5>(b, x);
+    }
+}
+
+
+template void Foam::NewtonKrylov::assemble<2>(const scalar);
+template void Foam::NewtonKrylov::assemble<3>(const scalar);
