@@ -455,7 +455,7 @@ void Foam::writeJkrImpact
     // Beside the results of an earlier run, whose place they take when all
     // are there
     const fileName unfinished(folder + ".unfinished");
-    writeAll(unfinished, setup);
+    withReason([&] { writeAll(unfinished, setup); });
     rmDir(folder, true);
     mv(unfinished, folder);
 }

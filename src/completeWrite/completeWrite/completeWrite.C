@@ -56,6 +56,16 @@ static void filesBelow
 }
 
 
+// Does a text end with the line that OpenFOAM writes last?
+static bool endsAsWritten(const std::string& text)
+{
+    const std::string last("* //\n");
+    return
+        text.size() >= last.size()
+     && text.compare(text.size() - last.size(), last.size(), last) == 0;
+}
+
+
 // Size and checksum of a file, as they stand in the list; whether it ends as
 // OpenFOAM's files do
 static std::string contents(const fileName& file, bool& whole)
@@ -91,12 +101,27 @@ static std::string contents(const fileName& file, bool& whole)
      && head.find("*- C++ -*-") != std::string::npos;
     whole =
         size > 0
-     && (!banner || tail.find("// ****") != std::string::npos);
+     && (!banner || endsAsWritten(tail));
 
     std::ostringstream text;
     text<< size << ' ' << sum.str();
     return text.str();
 }
+
+
+// Why a file that the stock writers took for written was cut off
+static int whyCut(const fileName& folder)
+{
+    struct statvfs space;
+    return
+        ::statvfs(folder.c_str(), &space) == 0 && space.f_bavail == 0
+      ? ENOSPC : 0;
+}
+
+
+static const char* const goOn =
+    ", it was not written to its end. The run can be continued from the time"
+    " directory before";
 
 
 // Which directory a mark belongs to: decomposePar copies that of the whole
@@ -115,15 +140,6 @@ static std::string ownerOf(const Time& runTime)
         text<< "the whole mesh";
     }
     return text.str();
-}
-
-
-static std::string why(const fileName& folder)
-{
-    struct statvfs space;
-    return
-        ::statvfs(folder.c_str(), &space) == 0 && space.f_bavail == 0
-      ? "no space left on device" : "disk full or quota exceeded?";
 }
 
 
@@ -233,10 +249,7 @@ void Foam::completeWrite::end(const Time& runTime)
         const std::string text(contents(top/file, whole));
         if (!whole)
         {
-            FatalErrorInFunction
-                << "Cannot write " << top/file << ": it was not written to"
-                << " its end, " << why(top) << ". The run can be continued"
-                << " from the time directory before" << exit(FatalError);
+            failedFile(top/file, whyCut(top), goOn);
         }
         mark.stdStream() << text << ' ' << file << '\n';
     }
@@ -301,7 +314,7 @@ bool Foam::completeWrite::write(Time& runTime)
         return false;
     }
     begin(runTime);
-    runTime.write();
+    withReason([&] { runTime.write(); }, goOn);
     pending_ = true;
     return true;
 }
@@ -310,7 +323,7 @@ bool Foam::completeWrite::write(Time& runTime)
 void Foam::completeWrite::writeNow(Time& runTime)
 {
     begin(runTime);
-    runTime.writeNow();
+    withReason([&] { runTime.writeNow(); }, goOn);
     pending_ = true;
 }
 
