@@ -1,14 +1,20 @@
 #!/usr/bin/env python3
-"""Mistakes in dictionaries: fuzz.py [--sample N] [--tests] [SUBJECT...]
+"""Mistakes in dictionaries: fuzz.py [--sample N] [--tests] [--tutorials]
+[--jobs N] [SUBJECT...]
 
 Stands in an empty folder. Each entry is dropped, misspelt and given -1, 0,
-1e300, nan and a word, one at a time. No run may end in a signal or last for
-ever, a misspelling must be refused, and a refusal names the entry. Prints the
+1e300, -1e300, nan, a word and something of another type, one at a time; and
+each entry that a message calls valid is added with a value that nothing can
+take. No run may end in a signal or last for ever, a misspelling and an entry
+that nothing reads must be refused, and a refusal names the entry. Prints the
 rows of doc/stability.md, or with --tests lines PASS and FAIL; what went wrong
-stands on the error stream.
+stands on the error stream. With --tutorials the dictionaries are those of the
+tutorials (tutorials/ADHESION/..., by their names), otherwise the annotated
+ones.
 """
 
 import argparse
+import concurrent.futures
 import os
 import random
 import re
@@ -16,8 +22,10 @@ import resource
 import shutil
 import subprocess
 import sys
+import threading
 
-from mutations import misspelt, mutations
+import tutorials
+from mutations import bare, blocks, entries, misspelt, mutations
 from subjects import SUBJECTS
 
 CPU_SECONDS = 60
@@ -26,14 +34,17 @@ CPU_SECONDS = 60
 STOCK = ("active", "coupled", "transient", "cellValueSourceCorrection",
          "rho0", "solution", "constantProperties", "subModels")
 
+# What no reader of a number, a word, a switch, a list or a file can take
+JUNK = "noneOfThese"
 
-def run(case, command):
+
+def run(case, command, log="log.fuzz"):
     """Exit status and what was said; limited in processor time, so that a
     busy machine makes no difference."""
     def limit():
         resource.setrlimit(resource.RLIMIT_CPU, (CPU_SECONDS, CPU_SECONDS + 5))
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-    with open(f"{case}/log.fuzz", "w+", errors="replace") as log:
+    with open(f"{case}/{log}", "w+", errors="replace") as log:
         try:
             status = subprocess.run(command, cwd=case, stdout=log,
                                     stderr=subprocess.STDOUT, timeout=1800,
@@ -42,6 +53,11 @@ def run(case, command):
             status = -24
         log.seek(0)
         return status, log.read()
+
+
+def is_main(path):
+    """Not a file that others include: all that is at its top is read."""
+    return re.search("(Properties|Dict|parcelClouds|fvSolution)$", path)
 
 
 def results_hold(case, pattern):
@@ -55,34 +71,99 @@ def results_hold(case, pattern):
     return None
 
 
-def judge(subject, case, name, entry, status, text):
+def tutorial_subjects(asked):
+    """The tutorials' cases, each with its dictionaries."""
+    seen = set()
+    for name in tutorials.names():
+        if asked and name not in asked:
+            continue
+        cases = tutorials.capture(name, f"captured.{name.replace('/', '_')}")
+        if not cases:
+            yield Subject(name, None, "", [], {}, {})
+        for folder in cases:
+            with open(f"{folder}/command") as file:
+                case, program, *options = file.read().split("\n")[:-1]
+            found = tutorials.dictionaries(f"{folder}/tree", case, program)
+            files = {p: tutorials.chooser(p, program, text)
+                     for p, text in found.items()
+                     if (program, text) not in seen}
+            seen |= {(program, text) for text in found.values()}
+            if files:
+                yield Subject(name, f"{folder}/tree", case.lstrip("/") or ".",
+                              [program, *options], files, found)
+
+
+class Subject:
+    """files: which entries of a dictionary are ours, by its path below
+    tree; texts: all dictionaries that the run reads; free: parents of names
+    that anyone may choose; stock: parents of entries that the stock models
+    read."""
+
+    def __init__(self, name, tree, case, command, files, texts,
+                 free=("grids", "cloudFunctions", "injectionModels", "fills",
+                       "inflows", "moleculeProperties", "species", "groups",
+                       "interfaces"),
+                 stock=("interpolationSchemes", "integrationSchemes",
+                        "particleForces")):
+        self.name, self.tree, self.case = name, tree, case
+        self.command, self.files, self.texts = command, files, texts
+        self.free, self.stock = free, stock
+
+    def is_macro(self, entry):
+        """Is it there for others to refer to?"""
+        return any(re.search(r"\$[{:.]*(\w+\.)*"
+                             + re.escape(part.strip('"')) + r"\b", text)
+                   for part in entry.path + (entry.key,)
+                   for text in self.texts.values())
+
+    def attempt(self, path, text, worker):
+        """The outcome with another text of a dictionary."""
+        trial = f"trial.{worker}"
+        shutil.copytree(self.tree, trial, symlinks=True)
+        with open(f"{trial}/{path}", "w") as file:
+            file.write(text)
+        status, said = run(f"{trial}/{self.case}", self.command)
+        bad = results_hold(trial, r"(?i)(^|[,\s])-?(nan|inf)\b")
+        shutil.rmtree(trial)
+        return status, said, bad
+
+    def text(self, path):
+        with open(f"{self.tree}/{path}") as file:
+            return file.read()
+
+
+def judge(subject, path, name, entry, status, text, bad, keys):
     """What is wrong with the outcome; nothing if it is as it should be."""
     kind = name.split()[0]
     if status in (-24, 152, -9):
         return "hung"
+    macro = subject.is_macro(entry) or not (entry.path or is_main(path))
+    if macro and status:
+        # Refused is what becomes of it, and under that name; stock
+        # arithmetic ends in a trap of its own
+        return ("" if "FOAM FATAL" in text or "evalEntry" in text
+                or "exprs::" in text else "crashed")
     at = text.find("FOAM FATAL")
-    stock = bool(set(entry.path) & set(subject.stock))
-    # Some stock selectors end with abort() and a stack, after they have said
-    # which name they do not know
-    unknown = (status in (-6, 134) and at >= 0
-               and misspelt(entry.key).strip('"') in text[at:])
-    if not unknown and (status < 0 or (status and at < 0)
-                        or ("printStack" in text and not stock)):
+    stock = (bool(set(entry.path) & set(subject.stock))
+             or subject.command[0] == tutorials.STOCK_SOLVER
+             and entry.key == "type")
+    if status < 0 or (status and at < 0):
+        return "" if stock and at >= 0 else "crashed"
+    if "printStack" in text and not stock:
         return "crashed"
     if stock:
         return ""
+    parent = entry.path[-1] if entry.path else ""
     if status == 0:
-        parent = entry.path[-1] if entry.path else ""
-        if kind == "misspell" and parent not in subject.free:
+        if kind == "misspell" and not (parent in subject.free or macro):
             return "accepted"
-        bad = results_hold(case, r"(?i)(^|[,\s])-?(nan|inf)\b")
         return f"not a number in {os.path.basename(bad)}" if bad else ""
     key = (misspelt(entry.key) if kind == "misspell" else entry.key).strip('"')
     message = text[at:].split("From function")[0]
     words = {key, entry.key.strip('"')}
     if kind == "drop":
-        # Something else may be missing without it, there or in its place
-        words |= set(entry.path[-1:])
+        # Something else may be missing without it
+        words |= keys
     if entry.key in STOCK:
         return ""
     if not any(w in message for w in words):
@@ -90,57 +171,129 @@ def judge(subject, case, name, entry, status, text):
     return ""
 
 
+def added(subject, path, where, end, worker):
+    """What is wrong with entries that a message calls valid in a
+    dictionary: (number tried, complaints)."""
+    text = subject.text(path)
+
+    def with_entry(key, value):
+        return subject.attempt(
+            path, f"{text[:end]}\n{key} {value};\n{text[end:]}", worker)
+
+    status, said, _ = with_entry("qqqqqq", JUNK)
+    at = said.find("FOAM FATAL")
+    listed = re.search(r"Unknown entry qqqqqq.*?Valid: \(([^)]*)\)",
+                       said[max(at, 0):], re.S)
+    if not listed:
+        return 1, ([] if status and "qqqqqq" in said[at:] else
+                   ["is accepted" if status == 0 else "does not name it"])
+    tried, wrong = 1, []
+    present = {e.key for e in entries(bare(text)) if e.path == where}
+    for key in listed.group(1).split():
+        # Coefficients of models that are not chosen may stay
+        if key in present or key.endswith("Coeffs"):
+            continue
+        tried += 1
+        status, said, _ = with_entry(key, JUNK)
+        if status == 0:
+            wrong.append(f"{key} is read by nothing")
+        elif "FOAM FATAL" not in said:
+            wrong.append(f"{key} crashes")
+    return tried, wrong
+
+
+def annotated_subjects(asked):
+    for s in SUBJECTS:
+        if asked and s.name not in asked:
+            continue
+        case = f"good.{s.name}"
+        s.build(case)
+        with open(f"{case}/{s.file}") as file:
+            texts = {s.file: file.read()}
+        yield Subject(s.name, case, ".", s.command,
+                      {s.file: tutorials.everything}, texts, s.free, s.stock)
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--sample", type=int, default=0)
     parser.add_argument("--tests", action="store_true")
+    parser.add_argument("--tutorials", action="store_true")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("subjects", nargs="*")
     asked = parser.parse_args()
-    if shutil.rmtree.avoids_symlink_attacks and os.listdir("."):
+    if os.listdir("."):
         sys.exit("fuzz.py: the folder is not empty")
 
-    trials, good = [], {}
-    for subject in SUBJECTS:
-        if asked.subjects and subject.name not in asked.subjects:
-            continue
-        case = f"good.{subject.name}"
-        subject.build(case)
-        shutil.copytree(case, "trial")
-        status, text = run("trial", subject.command)
-        shutil.rmtree("trial")
-        if status:
+    # Trials without number: with a sample, the same ones each time
+    trials, count, wrong, order = [], {}, {}, []
+    source = tutorial_subjects if asked.tutorials else annotated_subjects
+    for subject in source(asked.subjects):
+        if subject.name not in count:
+            order.append(subject.name)
+            count[subject.name] = [0, 0]
+        problem = "its programs are not reached"
+        if subject.tree:
+            shutil.copytree(subject.tree, "trial.good", symlinks=True)
+            status, text = run(f"trial.good/{subject.case}", subject.command)
+            shutil.rmtree("trial.good")
             at = max(text.find("FOAM FATAL"), 0)
-            print(f"{subject.name}: the good case stops: "
-                  + " ".join(text[at:at + 600].split()), file=sys.stderr)
-            print(f"FAIL {subject.name}_good: it stops" if asked.tests else
-                  f"{subject.name} | runs | stops FAILED")
-            return 1
-        with open(f"{case}/{subject.file}") as file:
-            trials += [(subject, case, *m) for m in mutations(file.read())]
-        good[subject.name] = [0, 0]
+            problem = ("the good case stops: "
+                       + " ".join(text[at:at + 600].split())
+                       if status else "")
+        if problem:
+            print(f"{subject.name}: {subject.case}: {problem}",
+                  file=sys.stderr, flush=True)
+            wrong.setdefault(subject.name, []).append(problem[:100])
+            continue
+        for path, chosen in subject.files.items():
+            text = subject.text(path)
+            keys = {e.key.strip('"') for e in entries(bare(text))}
+            for name, entry, changed in mutations(text, chosen):
+                trials.append((subject, path, name, entry, changed, keys))
+            for where, end in blocks(text, chosen):
+                # What a file that is included has at its top is free
+                free = ((not where and (chosen is not tutorials.everything
+                                        or not is_main(path)))
+                        or where and where[-1] in subject.free)
+                if not free and not set(where) & set(subject.stock):
+                    trials.append((subject, path, where, None, end, None))
 
     if asked.sample:
         random.Random(1).shuffle(trials)
         trials = trials[:asked.sample]
-    worst = {}
-    for subject, case, name, entry, text in trials:
-        shutil.copytree(case, "trial")
-        with open(f"trial/{subject.file}", "w") as file:
-            file.write(text)
-        status, said = run("trial", subject.command)
-        wrong = judge(subject, "trial", name, entry, status, said)
-        good[subject.name][0] += 1
-        good[subject.name][1] += status != 0
-        if wrong:
-            at = max(said.find("FOAM FATAL"), 0)
-            print(f"{subject.name}: {name}: {wrong}: "
-                  + " ".join(said[at:at + 250].split()), file=sys.stderr,
-                  flush=True)
-            worst.setdefault(subject.name, []).append(f"{name}: {wrong}")
-        shutil.rmtree("trial")
+    lock = threading.Lock()
 
-    for name, (n, refused) in good.items():
-        bad = worst.get(name, [])
+    def attempt(trial):
+        subject, path, name, entry, changed, keys = trial
+        worker = threading.get_ident()
+        if entry is None:
+            n, complaints = added(subject, path, name, changed, worker)
+            refused, said = n - len(complaints), ""
+            complaints = [f"an entry more in /{'/'.join(name)}: {c}"
+                          for c in complaints]
+        else:
+            status, text, bad = subject.attempt(path, changed, worker)
+            problem = judge(subject, path, name, entry, status, text, bad, keys)
+            n, refused = 1, status != 0
+            complaints = [f"{name}: {problem}"] if problem else []
+            at = max(text.find("FOAM FATAL"), 0)
+            said = " ".join(text[at:at + 250].split())
+        with lock:
+            count[subject.name][0] += n
+            count[subject.name][1] += refused
+            for c in complaints:
+                print(f"{subject.name}: {path}: {c}: {said}", file=sys.stderr,
+                      flush=True)
+                wrong.setdefault(subject.name, []).append(c)
+
+    with concurrent.futures.ThreadPoolExecutor(asked.jobs) as pool:
+        for done in [pool.submit(attempt, t) for t in trials]:
+            done.result()
+
+    for name in order:
+        n, refused = count[name]
+        bad = sorted(wrong.get(name, []))
         said = f"{n} mistakes, {refused} refused, {n - refused} run"
         if asked.tests:
             print(f"FAIL {name}: " + "; ".join(bad[:5]) if bad
@@ -150,7 +303,7 @@ def main():
                   " accepted or a refusal that does not name its entry |"
                   f" {said}" + (f"; wrong: {'; '.join(bad)}" if bad else "")
                   + f" | {'FAILED' if bad else 'ok'}")
-    return bool(worst)
+    return bool(wrong)
 
 
 if __name__ == "__main__":

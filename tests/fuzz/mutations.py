@@ -5,7 +5,8 @@ import re
 
 NUMBER = re.compile(r"(?<![\w.])[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
                     r"(?![\w.])")
-VALUES = ("-1", "0", "1e300", "nan", "word")
+VALUES = ("-1", "0", "1e300", "-1e300", "nan", "word")
+WRONG_TYPE = {True: "(1 2 3)", False: "7"}      # for a number, for a word
 
 
 def bare(text):
@@ -42,6 +43,9 @@ def entries(text, at=0, end=None, path=()):
             at += 1
         elif c == "#":
             at = text.find("\n", at) + 1 or end
+        elif c == "$":
+            # The entries of another dictionary, copied
+            at = text.find(";", at) + 1 or end
         elif c in "({":
             stop = closing(text, at)
             found += entries(text, at + 1, stop, path)
@@ -73,19 +77,21 @@ def entries(text, at=0, end=None, path=()):
 
 
 def misspelt(key):
-    quoted = key.startswith('"')
-    word = key.strip('"')
-    if len(word) > 3:
-        middle = len(word)//2
-        word = word[:middle] + word[middle + 1:]
-    else:
-        word += "x"
-    return f'"{word}"' if quoted else word
+    """A letter less, or one more in a short word. A pattern gets it where it
+    matches no longer."""
+    if key.startswith('"'):
+        return '"x' + key[1:]
+    if len(key) > 3:
+        middle = len(key)//2
+        return key[:middle] + key[middle + 1:]
+    return key + "x"
 
 
-def mutations(text):
+def mutations(text, chosen=lambda entry: True):
     """(name, entry, new text) of every mistake."""
     for e in entries(bare(text)):
+        if not chosen(e):
+            continue
         where = "/".join(e.path + (e.key,))
         yield f"drop {where}", e, text[:e.start] + text[e.end:]
         yield (f"misspell {where}", e,
@@ -93,14 +99,23 @@ def mutations(text):
         if e.isDict:
             continue
         value = text[e.valueStart:e.end - 1]
+        if "{" in value or '"' in value:
+            continue
         number = NUMBER.search(bare(value))
-        for new in VALUES:
-            if number and "{" not in value:
-                changed = (value[:number.start()] + new
-                           + value[number.end():])
-            elif new == "word" and "{" not in value:
-                changed = new
-            else:
-                continue
+        for new in VALUES if number else ("word",):
+            changed = (value[:number.start()] + new + value[number.end():]
+                       if number else new)
             yield (f"{new} {where}", e,
                    text[:e.valueStart] + changed + text[e.end - 1:])
+        yield (f"type {where}", e, text[:e.valueStart]
+               + WRONG_TYPE[bool(number) and "(" not in value]
+               + text[e.end - 1:])
+
+
+def blocks(text, chosen=lambda entry: True):
+    """(path, place of its end) of the dictionaries of a text, the whole
+    first."""
+    yield (), len(text)
+    for e in entries(bare(text)):
+        if e.isDict and chosen(e):
+            yield e.path + (e.key.strip('"'),), e.end - 1
