@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "gasTurbulence.H"
+#include "presentFile.H"
 
 Foam::gasTurbulence::gasTurbulence
 (
@@ -28,7 +29,7 @@ Foam::gasTurbulence::gasTurbulence
         IOobject::NO_WRITE,
         false
     );
-    if (!io.typeHeaderOk<IOdictionary>(true))
+    if (!isPresent<IOdictionary>(io))
     {
         return;
     }

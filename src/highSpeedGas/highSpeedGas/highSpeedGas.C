@@ -30,6 +30,7 @@ void Foam::highSpeedGas::refuseWhatIsNotSolved() const
             name, folder, mesh_, IOobject::READ_IF_PRESENT,
             IOobject::NO_WRITE, false
         );
+        isPresent<IOdictionary>(io);    // or refused, without a header
         return localIOdictionary(io);
     };
 

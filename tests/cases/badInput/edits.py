@@ -1,10 +1,12 @@
 """Table of bad edits; stands in a folder with the prepared case 'good'."""
 
+import math
 import os
 import re
 import shutil
 
-from caseTools import complaint, copy_case, edit, run, verdict, write_foam
+from caseTools import (complaint, copy_case, edit, must, run, verdict,
+                       write_block, write_field, write_foam)
 
 SOLUTION, SCHEMES = "system/fvSolution", "system/fvSchemes"
 THERMO = "constant/thermophysicalProperties"
@@ -119,6 +121,58 @@ def stock_coupled(case):
          "(parcelForces parcelInjection parcelWallInteraction)")
 
 
+def with_file(path, body):
+    return lambda case: write_foam(case, path, body)
+
+
+def in_time(**schemes):
+    """Marched in time with other schemes."""
+    def change(case):
+        gas(mode="transient")(case)
+        for old, new in schemes.values():
+            edit(case, SCHEMES, old, new)
+    return change
+
+
+def turbulent(body, **settings):
+    def change(case):
+        gas(**settings)(case)
+        write_foam(case, "constant/turbulenceProperties", body)
+        edit(case, SCHEMES, "ddtSchemes",
+             "wallDist { method meshWave; } ddtSchemes")
+        sides = {"symmetry": "type symmetryPlane;",
+                 "frontAndBack": "type empty;", '".*"': "type zeroGradient;"}
+        for field in "k", "omega", "nut", "alphat":
+            write_field(case, field, 1, sides)
+    return change
+
+
+def without_header(path):
+    def change(case):
+        with open(os.path.join(case, path), "w") as file:
+            file.write("simulationType RAS; RAS { RASModel kOmegaSST; }\n")
+    return change
+
+
+def quarter_ring(case):
+    """A mesh whose sides are joined by a rotation."""
+    def point(quarter, radius, z):
+        angle = quarter*math.pi/2
+        return radius*math.cos(angle), -radius*math.sin(angle), z
+    corners = [point(*c, z) for z in (0, 0.1)
+               for c in ((0, 1), (1, 1), (1, 2), (0, 2))]
+    write_block(case, corners, (4, 4, 1),
+                {"xMin": "cyclic", "xMax": "cyclic", "yMin": "patch",
+                 "yMax": "patch"})
+    must(case, "blockMesh")
+    sides = {"xMin": "type cyclic;", "xMax": "type cyclic;",
+             "yMin": "type zeroGradient;", "yMax": "type zeroGradient;",
+             "zMin": "type empty;", "zMax": "type empty;"}
+    for field, value in ("p", 1e5), ("T", 300), ("U", (0, 0, 0)):
+        write_field(case, field, value, sides)
+
+
+RAS = "simulationType RAS; RAS { RASModel kOmegaSST; turbulence on; }"
 RAKE = "constant/rake50Properties"
 SAND = "constant/sand50Properties"
 STREAM = "constant/sandStream"
@@ -227,6 +281,48 @@ TABLE = [
              "restitution -0.1"), ["restitution", "-0.1", "[0, 1]"]),
     ("injectionPatch", replace(STREAM, "(freestream)", "(nowhere)"),
      ["patches", "nowhere", "freestream", "cylinder"]),
+    ("movingMesh", with_file("constant/dynamicMeshDict",
+                             "dynamicFvMesh dynamicMotionSolverFvMesh;"),
+     ["dynamicFvMesh", "dynamicMotionSolverFvMesh", "staticFvMesh"]),
+    ("localEuler", in_time(ddt=("default Euler", "default localEuler")),
+     ["localEuler", "mode steady", "Euler"]),
+    ("steadyState", in_time(ddt=("default Euler", "default steadyState")),
+     ["steadyState", "mode steady", "Euler"]),
+    ("fvOptions", with_file("system/fvOptions", "heater"
+                            " { type scalarSemiImplicitSource; active yes; }"),
+     ["heater", "fvOptions", "active no"]),
+    ("fvOptionsOfConstant", with_file(
+        "constant/fvOptions", "heater { type fixedTemperatureConstraint; }"),
+     ["heater", "fvOptions", "active no"]),
+    ("MRF", with_file("constant/MRFProperties",
+                      "rotor { cellZone rotor; omega 10; }"),
+     ["rotor", "MRFProperties", "active no"]),
+    ("radiation", with_file("constant/radiationProperties",
+                            "radiation on; radiationModel P1;"),
+     ["radiationModel", "P1", "none"]),
+    ("turbulentWithoutFriction", turbulent(RAS, mode="transient",
+                                           viscous="no"),
+     ["simulationType", "RAS", "viscous yes", "laminar"]),
+    ("turbulentSteady", turbulent(RAS, mode="steady"),
+     ["simulationType", "RAS", "laminar"]),
+    ("laminarModel", turbulent(
+        "simulationType laminar; laminar { model Maxwell;"
+        " MaxwellCoeffs { nuM 1; lambda 1; } }", mode="transient"),
+     ["Maxwell", "Stokes"]),
+    ("turbulenceWithoutHeader", without_header(
+        "constant/turbulenceProperties"),
+     ["turbulenceProperties", "FoamFile"]),
+    ("rotationalCyclic", quarter_ring,
+     ["xMin", "rotation", "translations"]),
+    ("patchInteractionModel", replace("constant/sandCloud",
+                                      "patchInteractionModel hardSphereWall",
+                                      "patchInteractionModel hardSpereWall"),
+     ["hardSpereWall", "Did you mean hardSphereWall", "rebound"]),
+    ("integrationScheme", replace("constant/sandCloud", "Euler;", "Eular;"),
+     ["Eular", "Did you mean Euler", "analytical"]),
+    ("trackingCo", replace("constant/sandCloud", "transient       yes;",
+                           "transient yes; maxCo 0;"),
+     ["maxCo 0:", "[1e-6, 1e6]"]),
     ("impactPatch", replace(RAKE, "patches     (cylinder)",
                             "patches (nowhere)"),
      ["patches", "nowhere", "freestream", "cylinder"]),
