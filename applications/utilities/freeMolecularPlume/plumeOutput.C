@@ -7,6 +7,7 @@
 
 #include "OSspecific.H"
 
+#include <cmath>
 #include <limits>
 
 namespace
@@ -327,7 +328,11 @@ void Foam::writePlume
     textFile f(folder/"summary.csv");
     auto row = [&](const word& name, double value, const char* unit)
     {
-        f.print("%s,%.12g,%s\n", name.c_str(), value, unit);
+        // No row without a value: no equilibrium, or nothing to err
+        if (std::isfinite(value))
+        {
+            f.print("%s,%.12g,%s\n", name.c_str(), value, unit);
+        }
     };
     const double N = double(s.sampled());
     double emitted = 0;

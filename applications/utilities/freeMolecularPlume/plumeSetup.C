@@ -143,21 +143,27 @@ impact::plumeGrid::range readRange
     const dictionary& dict,
     const word& from,
     const word& to,
-    const char* n
+    const char* n,
+    const char* valid = validRange::coordinate
 )
 {
-    return
+    const impact::plumeGrid::range r
     {
-        getNumber(dict, from, validRange::coordinate),
-        getNumber(dict, to, validRange::coordinate),
+        getNumber(dict, from, valid), getNumber(dict, to, valid),
         int(getWhole(dict, n, "[1, 1e6]"))
     };
+    if (!(r.to > r.from))
+    {
+        refuse(dict, to, r.to, "greater than ", from, ", ", r.from);
+    }
+    return r;
 }
 
 
 impact::plumeGrid readGrid(const dictionary& dict)
 {
     typedef impact::plumeGrid grid;
+    const char* const radius = "[0, 1e12] m, planets' orbits";
     const word type
     (
         getWord(dict, "type", {"axis", "plane", "meridian", "sphere"})
@@ -200,7 +206,7 @@ impact::plumeGrid readGrid(const dictionary& dict)
                         dict, "centre", validRange::coordinate, vector(Zero)
                     )
                 ),
-                readRange(dict, "from", "to", "n"),
+                readRange(dict, "from", "to", "n", radius),
                 getNumber<label>(dict, "nPolar", "[1, 1e4]", 1),
                 getNumber<label>(dict, "nAzimuth", "[1, 1e4]", 1)
             );
@@ -218,7 +224,7 @@ impact::plumeGrid readGrid(const dictionary& dict)
                 getNumber(dict, "thickness", validRange::length)
             );
         }
-        return grid::meridian(x, readRange(dict, "rFrom", "rTo", "nr"));
+        return grid::meridian(x, readRange(dict, "rFrom", "rTo", "nr", radius));
     });
 }
 

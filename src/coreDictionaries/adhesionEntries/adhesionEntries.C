@@ -189,17 +189,19 @@ impact::jkrContact Foam::adhesionEntries::contact
     const wordList& others
 )
 {
-    wordList valid(contactEntries);
+    // Of several ways to say it, only one
+    wordList valid
+    (
+        dict.found("radius")
+      ? wordList{"radius", "modulus", "mass", "workOfAdhesion"}
+      : dict.found("partner")
+      ? wordList{"particle", "partner", "workOfAdhesion"}
+      : dict.found("particle")
+      ? wordList{"particle", "wall", "workOfAdhesion"}
+      : contactEntries
+    );
     valid.append(others);
     refuseOthers(dict, valid);
-
-    // Of two ways to say it, only one
-    if (dict.found("radius"))
-    {
-        valid = wordList({"radius", "modulus", "mass", "workOfAdhesion"});
-        valid.append(others);
-        refuseOthers(dict, valid);
-    }
     return checked(dict, [&]()
     {
         const scalar w =
@@ -307,7 +309,7 @@ impact::dissipationLaw Foam::adhesionEntries::law
             const scalarList coeffs(getList(alpha, "coeffs", "[-1e6, 1e6]"));
             const scalarList range
             (
-                getList(alpha, "range", validRange::share, {0, 1})
+                getList(alpha, "range", validRange::share, scalarList{0, 1})
             );
             if (range.size() != 2)
             {
@@ -365,14 +367,13 @@ impact::adhesiveRebound Foam::adhesionEntries::wall
 )
 {
     typedef impact::adhesiveRebound wall;
-    refuseOthers
+    wordList valid{"type", "alpha", "unloading", "outside", "friction", "layer"};
+    valid.append
     (
-        dict,
-        {
-            "type", "contact", "particle", "wall", "workOfAdhesion", "alpha",
-            "unloading", "outside", "friction", "layer"
-        }
+        dict.found("contact")
+      ? wordList{"contact"} : wordList{"particle", "wall", "workOfAdhesion"}
     );
+    refuseOthers(dict, valid);
     const wall::materials materials(readMaterials(dict));
 
     // Of the particles that alpha was measured with, if it was

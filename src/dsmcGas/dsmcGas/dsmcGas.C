@@ -266,17 +266,22 @@ void Foam::dsmcGas::readCollisions()
         )
     );
     const bool exchange = model == "LarsenBorgnakkeVariableHardSphere";
+    const word exchangeCoeffs("LarsenBorgnakkeVariableHardSphereCoeffs");
+    const word elasticCoeffs("VariableHardSphereCoeffs");
+
+    // Those of the model that is not chosen may stay, but not misspelt
+    refuseOthers(properties_.subOrEmptyDict(elasticCoeffs), {"Tref"});
+    refuseOthers
+    (
+        properties_.subOrEmptyDict(exchangeCoeffs),
+        {"Tref", "relaxationCollisionNumber"}
+    );
     if (model == "none")
     {
         return;
     }
-    const dictionary& coeffs = properties_.subDict(model + "Coeffs");
-    refuseOthers
-    (
-        coeffs,
-        exchange
-      ? wordList{"Tref", "relaxationCollisionNumber"} : wordList{"Tref"}
-    );
+    const dictionary& coeffs =
+        properties_.subDict(exchange ? exchangeCoeffs : elasticCoeffs);
     const scalar Tref = getNumber(coeffs, "Tref", validRange::temperature);
     const scalar Z =
         exchange

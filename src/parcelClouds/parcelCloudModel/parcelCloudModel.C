@@ -4,6 +4,7 @@
 
 #include "parcelCloudModel.H"
 #include "checked.H"
+#include "stockCloudEntries.H"
 #include "IOdictionary.H"
 #include "Time.H"
 
@@ -91,7 +92,9 @@ void findLibraries(const dictionary& dict)
         )
         {
             FatalIOErrorInFunction(dict)
-                << "Unknown " << e.keyword() << ' ' << model << nl
+                << "Unknown "
+                << (e.keyword() == model ? dict.dictName() : word(e.keyword()))
+                << ' ' << model << nl
                 << model << " is in the library " << library.val().c_str()
                 << ": add libs (" << library.val().c_str()
                 << "); to system/controlDict" << exit(FatalIOError);
@@ -111,6 +114,26 @@ Foam::parcelCloudModel::parcelCloudModel()
 {}
 
 
+// * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
+
+Foam::IOobject Foam::parcelCloudModel::properties
+(
+    const word& name,
+    const fvMesh& mesh
+)
+{
+    return IOobject
+    (
+        name + "Properties",
+        mesh.time().constant(),
+        mesh,
+        IOobject::MUST_READ,
+        IOobject::NO_WRITE,
+        false
+    );
+}
+
+
 Foam::autoPtr<Foam::parcelCloudModel> Foam::parcelCloudModel::New
 (
     const word& name,
@@ -122,15 +145,7 @@ Foam::autoPtr<Foam::parcelCloudModel> Foam::parcelCloudModel::New
 {
     const IOdictionary properties
     (
-        IOobject
-        (
-            name + "Properties",
-            rho.time().constant(),
-            rho.mesh(),
-            IOobject::MUST_READ,
-            IOobject::NO_WRITE,
-            false
-        )
+        parcelCloudModel::properties(name, rho.mesh())
     );
     refuseOthers
     (
@@ -154,6 +169,8 @@ Foam::autoPtr<Foam::parcelCloudModel> Foam::parcelCloudModel::New
         );
     }
     checkSources(properties.subDict("solution"));
+    stockCloudEntries::checkNumbers(properties);
+    stockCloudEntries::checkSchemes(properties.subDict("solution"));
     if (type != "spinningKinematicCloud")
     {
         findLibraries(properties);

@@ -274,8 +274,9 @@ Foam::label Foam::IdentifiedInjection<CloudType>::identity
         FatalErrorInFunction
             << "Injection model " << this->modelName() << " of cloud "
             << this->owner().name() << " has used up the " << labelMax
-            << " identities of this build's labels. Use a build with 64-bit"
-            << " labels or more real particles per parcel (nParticle)."
+            << " identities of this build's labels since startTime. Use a"
+            << " build with 64-bit labels, a later startTime or more real"
+            << " particles per parcel (nParticle)."
             << exit(FatalError);
     }
     return id;

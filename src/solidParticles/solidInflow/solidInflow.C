@@ -22,6 +22,12 @@ namespace
         return first.isWord() && first.wordToken() == "gas";
     }
 
+    //- What a fill fills
+    Foam::word regionOf(const Foam::dictionary& d)
+    {
+        return Foam::getWordOf(d, "region", "", {"all", "box", "zone"});
+    }
+
     //- A whole number with the given mean
     Foam::label rounded(Foam::scalar mean, impact::counterRandom& rnd)
     {
@@ -98,10 +104,7 @@ Foam::scalarList Foam::solidInflow::realPerSimulator
 Foam::labelList Foam::solidInflow::regionCells(const dictionary& d) const
 {
     const polyMesh& mesh = cells_.mesh();
-    const word region
-    (
-        getWordOf(d, "region", "", {"all", "box", "zone"})
-    );
+    const word region(regionOf(d));
     if (region == "all")
     {
         return identity(mesh.nCells());
@@ -184,6 +187,11 @@ void Foam::solidInflow::readInflows()
 {
     const polyMesh& mesh = cells_.mesh();
     const polyBoundaryMesh& patches = mesh.boundaryMesh();
+    if (dict_.found("realPerSimulator"))
+    {
+        // Refused if it is no number, also where nothing needs it
+        perGroup(dict_, "realPerSimulator", validRange::number);
+    }
     const dictionary* block = findBlock(dict_, "inflows");
     const dictionary inflows(block ? *block : dictionary());
     std::vector<bool> taken(patches.size(), false);
@@ -343,24 +351,26 @@ Foam::label Foam::solidInflow::fill
     for (const entry& e : fills)
     {
         const dictionary& d = fills.subDict(e.keyword());
-        refuseOthers
-        (
-            d,
-            {
-                "region", "box", "zone", "concentration", "velocity",
-                "temperature", "simulators"
-            }
-        );
+        const word region(regionOf(d));
+        wordList valid
+        {
+            "region", "concentration", "velocity", "temperature", "simulators"
+        };
+        if (region != "all")
+        {
+            valid.append(region);
+        }
+        refuseOthers(d, valid);
         const scalar concentration =
             getNumber(d, "concentration", validRange::density);
         const scalar T = getNumber(d, "temperature", validRange::temperature);
         const impact::vector3 U =
             toCore(getComponents(d, "velocity", validRange::velocity));
-        const labelList region(regionCells(d));
+        const labelList inside(regionCells(d));
 
         std::vector<scalar> volume;
         scalar sum = 0;
-        for (const label i : region)
+        for (const label i : inside)
         {
             sum += mesh.cellVolumes()[i];
             volume.push_back(sum);
@@ -397,7 +407,7 @@ Foam::label Foam::solidInflow::fill
                     ++k;
                 }
                 label celli;
-                const impact::vector3 x = pointIn(region[k], rnd, celli);
+                const impact::vector3 x = pointIn(inside[k], rnd, celli);
                 const label p = particles.append(celli, x, U);
                 particles.payload().T[p] = T;
                 particles.payload().nParticle[p] = real[g];

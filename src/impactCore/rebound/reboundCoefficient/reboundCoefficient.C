@@ -193,9 +193,8 @@ impact::reboundCoefficient impact::reboundCoefficient::polynomial
             {
                 refuse
                 (
-                    q.name, " of the polynomial is ", value, " at ", angle,
-                    " deg, ", speed, " m/s: valid range [", q.low, ", ",
-                    q.high, "]"
+                    q.name, " coefficients: ", value, " at ", angle, " deg, ",
+                    speed, " m/s: valid range [", q.low, ", ", q.high, "]"
                 );
             }
         }
