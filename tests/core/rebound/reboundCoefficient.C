@@ -157,7 +157,7 @@ TEST(reboundCoefficient, refusesBadInput)
         (
             [] { form::polynomial(unit, {{0.9}, {-2}}, 0, 90, 0, 0); }
         ),
-        "of the polynomial is"
+        "coefficients: the polynomial is"
     );
     expect
     (

@@ -193,8 +193,9 @@ impact::reboundCoefficient impact::reboundCoefficient::polynomial
             {
                 refuse
                 (
-                    q.name, " coefficients: ", value, " at ", angle, " deg, ",
-                    speed, " m/s: valid range [", q.low, ", ", q.high, "]"
+                    q.name, " coefficients: the polynomial is ", value,
+                    " at ", angle, " deg, ", speed, " m/s: valid range [",
+                    q.low, ", ", q.high, "]"
                 );
             }
         }
