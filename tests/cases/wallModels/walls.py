@@ -490,7 +490,7 @@ def check_bad_input():
                               " values (0.5 0.6); }"), ["must increase"]),
         ("polynomial", S, se(normal="{ type polynomial; coefficients"
                                     " (0.9 -2); }"),
-         ["normal of the polynomial", "[0, 1]"]),
+         ["normal coefficients: the polynomial", "[0, 1]"]),
         ("critical", S, se(criticalAngle="91"), ["criticalAngle 91",
                                                  "[0, 90]"]),
         ("shape", N, ns(f"shape {{ type cone; }} {ROUGH} {LAW}"),
