@@ -127,7 +127,8 @@ VECTOR_INLINE double beta(const double M)
 }
 
 
-struct Kurganov
+template<bool Enthalpy>
+struct centralUpwind
 {
     template<int nDim>
     static VECTOR_INLINE void flux
@@ -140,27 +141,13 @@ struct Kurganov
     {
         const double sR = most(most(L.un + L.a, R.un + R.a), 0);
         const double sL = least(least(L.un - L.a, R.un - R.a), 0);
-        twoWaves<false>(block, i, L, R, sL, sR);
+        twoWaves<Enthalpy>(block, i, L, R, sL, sR);
     }
 };
 
 
-struct shock
-{
-    template<int nDim>
-    static VECTOR_INLINE void flux
-    (
-        faceBlock& block,
-        const int i,
-        const side<nDim>& L,
-        const side<nDim>& R
-    )
-    {
-        const double sR = most(most(L.un + L.a, R.un + R.a), 0);
-        const double sL = least(least(L.un - L.a, R.un - R.a), 0);
-        twoWaves<true>(block, i, L, R, sL, sR);
-    }
-};
+typedef centralUpwind<false> Kurganov;
+typedef centralUpwind<true> shock;
 
 
 struct Tadmor
