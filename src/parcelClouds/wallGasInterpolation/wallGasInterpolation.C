@@ -4,6 +4,7 @@
 
 #include "wallGasInterpolation.H"
 #include "interpolationCell.H"
+#include "interpolationCellLinear.H"
 #include "interpolationCellPatchConstrained.H"
 #include "interpolationCellPoint.H"
 #include "interpolationCellPointFace.H"
@@ -20,6 +21,7 @@ namespace Foam
             {ofPoints, linear};
 
     makeWallGasScheme(interpolationCell, false, true)
+    makeWallGasScheme(interpolationCellLinear, false, true)
     makeWallGasScheme(interpolationCellPatchConstrained, false, true)
     makeWallGasScheme(interpolationCellPoint, true, true)
     makeWallGasScheme(interpolationCellPointWallModified, true, true)
@@ -47,6 +49,7 @@ namespace Foam
 void Foam::selectWallGasInterpolation()
 {
     select<interpolationCell<vector>>();
+    select<interpolationCellLinear<vector>>();
     select<interpolationCellPatchConstrained<vector>>();
     select<interpolationCellPoint<vector>>();
     select<interpolationCellPointFace<vector>>();

@@ -31,9 +31,9 @@ namespace Foam
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::boolList Foam::wallGasVelocity::boundPatches() const
+Foam::boolList Foam::wallGasVelocity::boundPatches(const volVectorField& U)
 {
-    const volVectorField::Boundary& boundary = U_.boundaryField();
+    const volVectorField::Boundary& boundary = U.boundaryField();
     boolList bound(boundary.size(), false);
     forAll(boundary, patchi)
     {
@@ -62,12 +62,13 @@ Foam::boolList Foam::wallGasVelocity::boundPatches() const
 
 Foam::scalar Foam::wallGasVelocity::wallSpeed
 (
+    const volVectorField& U,
     const label patchi,
     const label facei,
     const vector& n
-) const
+)
 {
-    const fvPatchVectorField& Up = U_.boundaryField()[patchi];
+    const fvPatchVectorField& Up = U.boundaryField()[patchi];
     return isA<transformFvPatchField<vector>>(Up)
       ? Up[facei] & vector(normalised(Up.patch().Sf()[facei]))
       : Up[facei] & n;
@@ -171,7 +172,7 @@ void Foam::wallGasVelocity::bind(pointVectorField& pointU)
         {
             const vector n =
                 normalised(mesh.faceAreas()[patch.start() + i]);
-            const vector target = wallSpeed(patchi, i, n)*n;
+            const vector target = wallSpeed(U_, patchi, i, n)*n;
             for (const label pointi : patch[i])
             {
                 targets[pointi] += target;
@@ -218,7 +219,7 @@ void Foam::wallGasVelocity::bind(pointVectorField& pointU)
                 n = area > VSMALL
                   ? n/area
                   : vector(normalised(mesh.faceAreas()[facei]));
-                const scalar w = wallSpeed(patchi, i, n);
+                const scalar w = wallSpeed(U_, patchi, i, n);
                 for (label j = 0; j < 3; ++j)
                 {
                     conditions& own = t.at[j];
@@ -320,7 +321,7 @@ const Foam::pointVectorField& Foam::wallGasVelocity::pointValues()
         return *stored;
     }
 
-    const boolList bound(boundPatches());
+    const boolList bound(boundPatches(U_));
     if (bound != bound_ || mesh.changing())
     {
         bound_ = bound;

@@ -219,7 +219,7 @@ Foam::CoreDragForce<CloudType>::CoreDragForce
     ),
     scheme_
     (
-        owner.solution().interpolationSchemes().template
+        owner.solution().dict().subOrEmptyDict("interpolationSchemes").template
             lookupOrDefault<word>("T", "cellPoint")
     ),
     TEvent_(-1),

@@ -33,6 +33,9 @@ namespace
         vector normal;
         scalar distance;
         label target;
+
+        //- Of the mesh; -1 between tetrahedra of a cell
+        label face;
     };
 
     facePlane planeThrough(vector n, const vector& at, const label target)
@@ -52,12 +55,12 @@ namespace
                 }
             }
         }
-        return facePlane{n, n & at, target};
+        return facePlane{n, n & at, target, -1};
     }
 
     facePlane reversed(const facePlane& p, const label target)
     {
-        return facePlane{-p.normal, -p.distance, target};
+        return facePlane{-p.normal, -p.distance, target, p.face};
     }
 }
 
@@ -189,8 +192,28 @@ void Foam::convexCells::buildCells(const boolList& split)
     };
 
     List<DynamicList<facePlane>> cells(meshCell_.size());
+    forAll(cells, celli)
+    {
+        const label meshCelli = meshCell_[celli];
+        cells[celli].setCapacity
+        (
+            split[meshCelli] ? 4 : mesh_.cells()[meshCelli].size()
+        );
+    }
     boundaryCells_.setSize(nBoundary);
     DynamicList<labelList> choices;
+
+    // Both sides of a coupled face take the same planes
+    boolList splitBeyond(nBoundary, true);
+    for (const polyPatch& patch : mesh_.boundaryMesh())
+    {
+        for (label i = 0; patch.coupled() && i < patch.size(); ++i)
+        {
+            splitBeyond[patch.start() - nInternal + i] =
+                split[patch.faceCells()[i]];
+        }
+    }
+    syncTools::swapBoundaryFaceList(mesh_, splitBeyond);
 
     // Faces of the mesh, seen from the owner
     forAll(areas, facei)
@@ -219,7 +242,9 @@ void Foam::convexCells::buildCells(const boolList& split)
         }
 
         const vector whole = areas[facei]/mag(areas[facei]);
-        const bool byTriangles = isSplit[0] && (isSplit[1] || !internal);
+        const bool byTriangles =
+            isSplit[0]
+         && (internal ? isSplit[1] : splitBeyond[facei - nInternal]);
 
         // A whole cell before a split one: the choice is made on the spot
         label choice[2] = {-1, -1};
@@ -253,7 +278,8 @@ void Foam::convexCells::buildCells(const boolList& split)
             {
                 return behind[side][isSplit[side] ? i : 0];
             };
-            const facePlane p = planeThrough(n, at, -1);
+            facePlane p = planeThrough(n, at, -1);
+            p.face = facei;
             if (isSplit[0] || i == 0)
             {
                 cells[cellOf(0)].append(p);
@@ -370,6 +396,7 @@ void Foam::convexCells::buildCells(const boolList& split)
         firstGroup_.push_back(group + nGroups);
         planes_.resize(stride*(group + nGroups), 0);
         targets_.resize(width*(group + nGroups), -1);
+        faces_.resize(width*(group + nGroups), -1);
         for (label i = 0; i < width*nGroups; ++i)
         {
             double* p = &planes_[stride*(group + i/width) + i % width];
@@ -383,6 +410,7 @@ void Foam::convexCells::buildCells(const boolList& split)
                 }
                 p[3*width] = q.distance;
                 targets_[width*group + i] = q.target;
+                faces_[width*group + i] = q.face;
             }
         }
     }
@@ -476,14 +504,6 @@ void Foam::convexCells::buildBoundary()
         boundaryKind kind = open;
         int processorNo = -1;
 
-        if (isA<cyclicAMIPolyPatch>(patch))
-        {
-            FatalErrorInFunction
-                << "Patch " << patch.name() << " of type " << patch.type()
-                << " is not supported by " << "face-plane tracking."
-                << " Valid types: patch, wall, symmetry, symmetryPlane,"
-                << " wedge, empty, cyclic, processor" << exit(FatalError);
-        }
         if (isA<wallPolyPatch>(patch))
         {
             kind = wall;
@@ -512,15 +532,6 @@ void Foam::convexCells::buildBoundary()
         const bool turns =
             patch.coupled()
          && !refCast<const coupledPolyPatch>(patch).parallel();
-        if (turns && kind == processor)
-        {
-            FatalErrorInFunction
-                << "Patch " << patch.name() << " joins the two sides of a"
-                << " rotational cyclic patch across processors. Keep them on"
-                << " one with the preservePatches constraint of decomposePar"
-                << exit(FatalError);
-        }
-
         forAll(patch, i)
         {
             const label facei = patch.start() - nInternal + i;
@@ -533,7 +544,7 @@ void Foam::convexCells::buildBoundary()
             face.rotation = -1;
             face.shift = {0, 0, 0};
 
-            if (turns)
+            if (turns && kind == cyclic)
             {
                 const auto& pair = refCast<const cyclicPolyPatch>(patch);
                 const vector to =
@@ -566,13 +577,18 @@ void Foam::convexCells::buildBoundary()
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::convexCells::convexCells(const polyMesh& mesh)
+Foam::convexCells::convexCells(const polyMesh& mesh, const boolList& others)
 :
     mesh_(mesh),
     nSplit_(0),
     moving_(vector::one)
 {
-    buildCells(cellsToSplit());
+    boolList split(cellsToSplit());
+    forAll(others, celli)
+    {
+        split[celli] = split[celli] || others[celli];
+    }
+    buildCells(split);
     buildBounds();
     buildBoundary();
 
@@ -589,7 +605,9 @@ Foam::convexCells::convexCells(const polyMesh& mesh)
     Info<< "Tracking through " << nCells << " cells";
     if (nSplit)
     {
-        Info<< ", " << nSplit << " of them (warped or not convex) split into "
+        Info<< ", " << nSplit << " of them"
+            << (others.empty() ? " (warped or not convex)" : "")
+            << " split into "
             << returnReduce(size(), sumOp<label>()) - (nCells - nSplit)
             << " tetrahedra";
     }
@@ -598,6 +616,34 @@ Foam::convexCells::convexCells(const polyMesh& mesh)
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::convexCells::refuseUnknownPairs() const
+{
+    for (const polyPatch& patch : mesh_.boundaryMesh())
+    {
+        if (isA<cyclicAMIPolyPatch>(patch))
+        {
+            FatalErrorInFunction
+                << "Patch " << patch.name() << " of type " << patch.type()
+                << " is not supported by face-plane tracking."
+                << " Valid types: patch, wall, symmetry, symmetryPlane,"
+                << " wedge, empty, cyclic, processor" << exit(FatalError);
+        }
+        if
+        (
+            isA<processorPolyPatch>(patch)
+         && !refCast<const coupledPolyPatch>(patch).parallel()
+        )
+        {
+            FatalErrorInFunction
+                << "Patch " << patch.name() << " joins the two sides of a"
+                << " rotational cyclic patch across processors. Keep them on"
+                << " one with the preservePatches constraint of decomposePar"
+                << exit(FatalError);
+        }
+    }
+}
+
 
 Foam::scalar Foam::convexCells::height
 (

@@ -18,7 +18,9 @@ Foam::particleArray<Payload>::particleArray(const convexCells& cells)
     start_(cells.size() + 1, 0),
     outgoing_(Pstream::nProcs()),
     nLost_(0)
-{}
+{
+    cells.refuseUnknownPairs();
+}
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //

@@ -55,9 +55,8 @@ void Foam::SpinningCloud<CloudType>::setModels()
           : 1e-5;
         embedded_.reset(new impact::particleMotion(tolerance));
         checkEmbedded();
-        gas_.reset(new parcelGas(this->mesh()));
         Info<< "Selecting parcel motion embeddedRK54, tolerance " << tolerance
-            << endl;
+            << ", gas " << gas_->scheme() << endl;
     }
 
     Info<< "Parcels of " << label(sizeof(parcelType)) << " bytes" << endl;
@@ -112,23 +111,34 @@ void Foam::SpinningCloud<CloudType>::setCollisions()
 
 
 template<class CloudType>
-void Foam::SpinningCloud<CloudType>::checkEmbedded() const
+void Foam::SpinningCloud<CloudType>::checkEmbedded()
 {
     const dictionary& solution = this->solution().dict();
-    const dictionary& schemes = this->solution().interpolationSchemes();
+
+    // The gas that the motion takes has one scheme, that of the velocity;
+    // forces may have fields of their own
+    dictionary& schemes =
+        const_cast<dictionary&>(solution).subDictOrAdd("interpolationSchemes");
+    const word& U = this->U().name();
+    const word scheme = getWord(schemes, U, cellGas::schemes);
+    const wordList gas
+    {
+        this->rho().name(), U, this->mu().name(), "T", "halfCurl(" + U + ')'
+    };
     for (const entry& e : schemes)
     {
-        const word scheme(e.stream());
-        if (scheme != "cellPoint")
-        {
-            refuse
-            (
-                schemes, e.keyword(), scheme, "cellPoint with motion"
-                " embeddedRK54, which needs the field that is linear in each"
-                " tetrahedron"
-            );
-        }
+        getWordOf
+        (
+            schemes, e.keyword(), "",
+            gas.found(e.keyword()) ? wordList(1, scheme) : cellGas::schemes
+        );
     }
+    for (const word& name : gas)
+    {
+        schemes.add(name, scheme);
+    }
+    gas_.reset(new cellGas(this->mesh(), scheme));
+
     if (this->solution().cellValueSourceCorrection())
     {
         refuse
@@ -160,7 +170,7 @@ void Foam::SpinningCloud<CloudType>::updateCurl()
         return;
     }
 
-    halfCurl_ = &parcelGas::halfCurl(this->U());
+    halfCurl_ = &cellGas::halfCurl(this->U());
     if (halfCurl_->eventNo() == halfCurlEvent_ && !this->mesh().changing())
     {
         return;
@@ -231,7 +241,6 @@ void Foam::SpinningCloud<CloudType>::prepareMotion()
         (
             new spinningCoreForce
             (
-                gas_(),
                 impact::sphereForces
                 (
                     drag ? &drag->drag() : nullptr,
@@ -367,7 +376,7 @@ Foam::SpinningCloud<CloudType>::SpinningCloud
         (
             new impact::particleMotion(c.embedded_->tolerance())
         );
-        gas_.reset(new parcelGas(this->mesh()));
+        gas_.reset(new cellGas(this->mesh(), c.gas_->scheme()));
     }
 }
 

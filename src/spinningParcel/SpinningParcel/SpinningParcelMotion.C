@@ -4,7 +4,9 @@
 
 #include "foamCompat.H"
 #include "meshTools.H"
+#include "curvedPath.H"
 #include "spinningParcelForces.H"
+#include "tetPlace.H"
 
 // * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * * //
 
@@ -33,91 +35,62 @@ void Foam::SpinningParcel<ParcelType>::place::restore(particle& p) const
 
 
 template<class ParcelType>
-Foam::scalar Foam::SpinningParcel<ParcelType>::curvedPath::timeAt
+template<class Force>
+Foam::scalar Foam::SpinningParcel<ParcelType>::partOfStep
 (
-    const vector& aim,
-    const scalar share,
-    const scalar last
-) const
-{
-    // The progress towards the aim is a cubic: Newton's method kept within
-    // the interval that holds the root
-    const scalar scale = 1/magSqr(aim);
-    const scalar p0 = scale*(start & aim);
-    const scalar pm = scale*(whole & aim);
-    const scalar p1 = scale*(end & aim);
-
-    scalar low = 0, high = last, t = share*last;
-    for (label i = 0; i < 20; ++i)
-    {
-        const scalar f =
-            t*(p0*sqr(1 - t) + pm*t*(3 - 2*t) - p1*t*(1 - t)) - share;
-        if (f > 0)
-        {
-            high = t;
-        }
-        else
-        {
-            low = t;
-        }
-        const scalar df =
-            p0*(1 - t)*(1 - 3*t) + 6*pm*t*(1 - t) + p1*t*(3*t - 2);
-        scalar next = mag(df) > 1e-6 ? t - f/df : 0.5*(low + high);
-        if (!(next >= low && next <= high))
-        {
-            next = 0.5*(low + high);
-        }
-        if (mag(next - t) < 1e-15)
-        {
-            return next;
-        }
-        t = next;
-    }
-    return t;
-}
-
-
-template<class ParcelType>
-Foam::scalar Foam::SpinningParcel<ParcelType>::continuationError
-(
-    const impact::gasState& there,
-    const impact::gasState& thought,
-    const impact::gasState& begin,
+    const Force& force,
+    const impact::particleMotion& motion,
     const impact::motionState& state,
     const impact::particleMotion::outcome& o,
-    const scalar t
+    const scalar tau,
+    label& left,
+    bool& forced,
+    scalar& hTry,
+    impact::motionState& end
 )
 {
-    const scalar material =
-        mag(there.rho/thought.rho - 1)
-      + mag(there.mu/thought.mu - 1)
-      + mag(there.T/thought.T - 1);
+    // A parabola through both ends where that is accurate, another step where
+    // not
+    const scalar t = tau*o.h;
+    const impact::vector3 a0 = o.h*o.a;
+    const impact::vector3 alpha0 = o.h*o.alpha;
+    const impact::vector3 dU = o.state.v - state.v - a0;
+    const impact::vector3 dOmega = o.state.omega - state.omega - alpha0;
+    end.v = state.v + tau*a0 + sqr(tau)*dU;
+    end.omega = state.omega + tau*alpha0 + sqr(tau)*dOmega;
 
-    const auto part =
-        [t, material]
-        (
-            const scalar k,
-            const impact::vector3& difference,
-            const impact::vector3& slip,
-            const scalar scale
-        )
+    const scalar cubic = sqr(tau)*(1 - tau)/motion.tolerance();
+    const auto size =
+        [](const impact::vector3& d, const impact::vector3& a)
         {
-            return
-                min(scalar(1), 0.5*k*t)
-               *(impact::mag(difference) + material*impact::mag(slip))/scale;
+            const scalar magD = impact::mag(d);
+            const scalar magA = impact::mag(a);
+            return magD < magA ? magD*magD/magA : magD;
         };
-
-    return max
+    if
     (
-        part(o.k, there.u - thought.u, begin.u - state.v, o.vScale),
-        part
-        (
-            o.kSpin,
-            there.spin - thought.spin,
-            begin.spin - state.omega,
-            o.spinScale
-        )
+        cubic*size(dU, a0) <= o.vScale
+     && cubic*size(dOmega, alpha0) <= o.spinScale
+    )
+    {
+        return t;
+    }
+
+    const auto part = motion.step
+    (
+        force,
+        state,
+        impact::mag(force.here().u),
+        impact::mag(force.here().spin),
+        t,
+        t,
+        max(left - kept, label(3))
     );
+    left -= part.nForce;
+    forced = forced || part.forced;
+    hTry = part.hNext;
+    end = part.state;
+    return part.h;
 }
 
 
@@ -140,361 +113,277 @@ bool Foam::SpinningParcel<ParcelType>::moveEmbedded
     ttd.keepParticle = true;
 
     const impact::particleMotion& motion = cloud.embedded();
-    const scalar tolerance = motion.tolerance();
+    const convexCells& cells = cloud.cells();
+    const cellGas& gas = cloud.gas();
     const bool coupled = cloud.solution().coupled();
     auto& statistics = cloud.statistics();
     const polyMesh& mesh = p.mesh();
     const bool reduced = mesh.nSolutionD() != 3;
+    const impact::vector3 moving(toCore(cells.moving()));
 
-    // A part of the evaluations is kept for exponential steps without error
-    // control, three each and three more where a face cuts one, with which a
-    // parcel can still stop at the tetrahedra. The last but one may be cut
-    // once, the last one stops at nothing but a face.
-    const label kept = 27;
-    const label last = 15;
-    const label veryLast = 12;
+    // The parcel has to be where it says while somebody looks at it
+    bool watched = true;
+    if constexpr (!TrackCloudType::planned)
+    {
+        watched = cloud.functions().size();
+    }
+
+    // Where the parcel is
+    impact::vector3 x{0, 0, 0};
+    label celli = -1;
+    const auto find = [&]()
+    {
+        point at = p.position();
+        if (reduced)
+        {
+            meshTools::constrainToMeshCentre(mesh, at);
+        }
+        x = toCore(at);
+        celli = cells.locate(p.cell(), x);
+    };
+    find();
+
+    // The gas of the cell, if it has to be put together
+    cellGas::field store;
+
     label left = maxForces;
     label stalls = 0;
     label hits = 0;
     scalar hTry = GREAT;
 
-    // Sub-steps that end with the tetrahedron from the start, after a cut
-    bool byTetrahedra = false;
-
     force.parcel(p, ttd);
 
     while (ttd.keepParticle && !ttd.switchProcessor && p.stepFraction() < 1)
     {
-        const scalar begin = p.stepFraction();
-        scalar t = (1 - begin)*trackTime;
-        vector s(Zero);
-
-        force.place(p);
-        const point start = force.tet().start();
-
-        if (p.active())
-        {
-            const place from(p);
-            const vector U0 = p.U();
-            const vector omega0 = omega_;
-            vector deviation(Zero);
-            if (reduced)
-            {
-                point centre = start;
-                meshTools::constrainToMeshCentre(mesh, centre);
-                deviation = start - centre;
-            }
-            const impact::motionState state
-            {
-                {0, 0, 0},
-                toCore(U0),
-                toCore(omega0)
-            };
-            const impact::gasState& gas = force.here();
-            const scalar gasSpeed = mag(fromCore(gas.u));
-            const scalar gasSpin = mag(fromCore(gas.spin));
-
-            // Not far beyond the cell: the gas is not known there. The very last
-            // step goes as far as it may, through gas like that around: the
-            // continuation of a shock would turn the parcel back.
-            const bool final = left < last;
-            scalar hMax = t;
-            if (left < veryLast)
-            {
-                force.hold();
-            }
-            else
-            {
-                hMax = min
-                (
-                    hMax,
-                    1.5*cloud.cellLengthScale()[p.cell()]
-                   /max(max(mag(U0), gasSpeed), ROOTVSMALL)
-                );
-            }
-            if (!final && (byTetrahedra || left < kept + 7))
-            {
-                hMax *= min
-                (
-                    scalar(1),
-                    1.02*force.tet().exit(toCore(hMax*U0)) + 1e-3
-                );
-            }
-            vector U1, omega1;
-            bool again = true;
-            while (again)
-            {
-                again = false;
-                const auto o = motion.step
-                (
-                    force,
-                    state,
-                    gasSpeed,
-                    gasSpin,
-                    hMax,
-                    hTry,
-                    max(left - kept, label(3))
-                );
-                force.done();
-                left -= o.nForce;
-                statistics.nForces += o.nForce;
-                hTry = o.hNext;
-
-                s = fromCore(o.state.x);
-                const curvedPath path{o.h*U0, s, o.h*fromCore(o.state.v)};
-                const scalar accuracy = tolerance*o.h*o.vScale;
-
-                // Part of the step that is taken, and where it leads
-                scalar tau = 1;
-                vector aim = s;
-                bool cut = true;
-                while (cut && !again)
-                {
-                    cut = false;
-
-                    // Track along the chord, and where that meets a face aim
-                    // at the point of the curved path at that time, until the
-                    // two agree
-                    for (label i = 0; ; ++i)
-                    {
-                        const vector way = aim - deviation;
-                        if (force.tet().moveInside(p, way))
-                        {
-                            break;
-                        }
-                        const scalar share =
-                            1 - p.trackToFace(way, tau*o.h/trackTime);
-
-                        if
-                        (
-                            !p.onFace()
-                         || magSqr(aim) < ROOTVSMALL*ROOTVSMALL
-                        )
-                        {
-                            break;
-                        }
-                        if ((U0 & aim) < 0 && left >= last)
-                        {
-                            // The path turns back: follow its first part
-                            again = true;
-                            hMax = min
-                            (
-                                0.25*o.h,
-                                magSqr(U0)
-                               /max(mag(U0 & fromCore(o.a)), ROOTVSMALL)
-                            );
-                            break;
-                        }
-
-                        tau = path.timeAt(aim, share, tau);
-                        const vector there = path(tau);
-                        aim *= share;
-                        if
-                        (
-                            i == 4
-                         || final
-                         || mag(there - aim) <= accuracy
-                        )
-                        {
-                            break;
-                        }
-                        aim = there;
-                        from.restore(p);
-                    }
-
-                    if
-                    (
-                        !again
-                     && left >= veryLast
-                     && (p.tetFace() != from.tetFace || p.tetPt() != from.tetPt)
-                    )
-                    {
-                        const impact::vector3 end = toCore(aim);
-                        const scalar error = continuationError
-                        (
-                            force.gas().at(p),
-                            force.tet()(end),
-                            gas,
-                            state,
-                            o,
-                            tau*o.h
-                        )/tolerance;
-                        byTetrahedra = error > (byTetrahedra ? 0.1 : 1);
-                        if (error > 1)
-                        {
-                            tau *=
-                                min
-                                (
-                                    max
-                                    (
-                                        0.9/sqrt(error),
-                                        1.02*force.tet().exit(end)
-                                    ),
-                                    0.8
-                                );
-                            aim = path(tau);
-                            cut = true;
-                            ++statistics.nCuts;
-                        }
-                    }
-
-                    if (cut || again)
-                    {
-                        from.restore(p);
-                    }
-                }
-
-                t = tau*o.h;
-                U1 = fromCore(o.state.v);
-                omega1 = fromCore(o.state.omega);
-                if (tau < 1 && !again)
-                {
-                    // Velocity and spin then: a parabola through both ends
-                    // where that is accurate, another step where not
-                    const vector a0 = o.h*fromCore(o.a);
-                    const vector alpha0 = o.h*fromCore(o.alpha);
-                    const vector dU = U1 - U0 - a0;
-                    const vector dOmega = omega1 - omega0 - alpha0;
-                    U1 = U0 + tau*a0 + sqr(tau)*dU;
-                    omega1 = omega0 + tau*alpha0 + sqr(tau)*dOmega;
-
-                    const scalar cubic = sqr(tau)*(1 - tau)/tolerance;
-                    const auto size =
-                        [](const vector& d, const vector& a)
-                        {
-                            const scalar magD = mag(d);
-                            const scalar magA = mag(a);
-                            return magD < magA ? magD*magD/magA : magD;
-                        };
-                    if
-                    (
-                        cubic*size(dU, a0) > o.vScale
-                     || cubic*size(dOmega, alpha0) > o.spinScale
-                    )
-                    {
-                        const place arrived(p);
-                        from.restore(p);
-                        const auto part = motion.step
-                        (
-                            force,
-                            state,
-                            gasSpeed,
-                            gasSpin,
-                            t,
-                            t,
-                            max(left - kept, label(3))
-                        );
-                        force.done();
-                        arrived.restore(p);
-                        left -= part.nForce;
-                        statistics.nForces += part.nForce;
-                        if (part.h == t)
-                        {
-                            U1 = fromCore(part.state.v);
-                            omega1 = fromCore(part.state.omega);
-                        }
-                    }
-                }
-                statistics.nForced += o.forced;
-            }
-
-            p.stepFraction() =
-                p.onFace() || t < (1 - begin)*trackTime
-              ? begin + t/trackTime
-              : 1;
-
-            if (reduced)
-            {
-                meshTools::constrainDirection(mesh, mesh.solutionD(), U1);
-            }
-            const scalar mass = p.mass();
-            if (coupled)
-            {
-                const vector impulse = t*force.external(mass, p.rho());
-                const scalar massEff = force.massEff(mass);
-                p.U() = U1;
-                omega_ = omega1;
-                giveToGas(cloud, massEff, U0, omega0, impulse, true);
-            }
-            else
-            {
-                p.U() = U1;
-                omega_ = omega1;
-            }
-
-            // A parcel pressed against a wall, or on an edge, may hit again
-            // and again in next to no time: then a tenth of the step passes
-            // where it is
-            stalls = t < 1e-9*trackTime ? stalls + 1 : 0;
-            hits += p.onBoundaryFace();
-            if (stalls > 20 || hits > 50)
-            {
-                stalls = 0;
-                hits = 0;
-                const scalar pause =
-                    min((1 - p.stepFraction())*trackTime, 0.1*trackTime);
-                force.place(p);
-                const impact::motionRate rate = force
-                (
-                    impact::motionState
-                    {
-                        {0, 0, 0},
-                        toCore(p.U()),
-                        toCore(omega_)
-                    }
-                );
-                force.done();
-                --left;
-                ++statistics.nForces;
-                const scalar acting = pause/(1 + pause*rate.k);
-                const vector impulse = acting*force.external(mass, p.rho());
-                const scalar massEff = force.massEff(mass);
-                const vector U2 = p.U();
-                const vector omega2 = omega_;
-                p.U() += acting*fromCore(rate.a);
-                omega_ += pause/(1 + pause*rate.kSpin)*fromCore(rate.alpha);
-                if (coupled)
-                {
-                    giveToGas(cloud, massEff, U2, omega2, impulse, true);
-                }
-                p.stepFraction() =
-                    pause < (1 - p.stepFraction())*trackTime
-                  ? p.stepFraction() + pause/trackTime
-                  : 1;
-                t += pause;
-                ++statistics.nPauses;
-            }
-            ++statistics.nSteps;
-        }
-        else
+        if (!p.active())
         {
             p.stepFraction() = 1;
+            p.age() += trackTime;
+            break;
+        }
+
+        const scalar begin = p.stepFraction();
+        const scalar remaining = (1 - begin)*trackTime;
+        const impact::vector3 start = x;
+        const vector U0 = p.U();
+        const vector omega0 = omega_;
+        const impact::motionState state
+        {
+            {0, 0, 0},
+            toCore(U0),
+            toCore(omega0)
+        };
+
+        if (Force::places)
+        {
+            tetPlace::put(p, cells, x, celli, -1);
+        }
+        const cellGas::field& here = gas.at(celli, store);
+        force.place(here, x);
+
+        // As far as the cell goes, and not further than the gas is known if
+        // the force turns the way; but not in tiny steps along a face
+        label ahead = -1;
+        const impact::vector3 way = impact::multiply(moving, state.v);
+        const scalar exit = cells.exitTime(celli, x, way, remaining, ahead);
+        const scalar gasSpeed = impact::mag(force.here().u);
+        const scalar crossing =
+            here.length/max(max(mag(U0), gasSpeed), ROOTVSMALL);
+        const scalar hMax = min
+        (
+            remaining,
+            min(max(1.02*exit, 0.1*crossing), 1.5*crossing)
+        );
+        const auto o = motion.step
+        (
+            force,
+            state,
+            gasSpeed,
+            impact::mag(force.here().spin),
+            hMax,
+            hTry,
+            max(left - kept, label(3))
+        );
+        left -= o.nForce;
+        statistics.nForces += o.nForce;
+        statistics.nForced += o.forced;
+        hTry = o.hNext;
+
+        // Along the curved way until it meets a face
+        const curvedPath path
+        (
+            x,
+            impact::multiply(moving, o.state.x),
+            o.h*way,
+            o.h*impact::multiply(moving, o.state.v)
+        );
+        label place = -1;
+        const scalar tau = path.exit(cells, celli, 0, 1, place);
+        scalar t = tau*o.h;
+        impact::motionState end{path(tau), o.state.v, o.state.omega};
+        if (tau < 1)
+        {
+            const label before = left;
+            bool forced = o.forced;
+            t = partOfStep
+            (
+                force, motion, state, o, tau, left, forced, hTry, end
+            );
+            statistics.nForces += before - left;
+            statistics.nForced += forced && !o.forced;
+            if (t < tau*o.h)
+            {
+                place = -1;
+            }
+            end.x = impact::multiply(moving, end.x);
+        }
+        force.done();
+        x = x + end.x;
+        impact::vector3 U1 = end.v;
+        impact::vector3 omega1 = end.omega;
+        if (place >= 0)
+        {
+            // Onto the face: a step taken anew ends before or behind it by the
+            // error of the path
+            const impact::vector3 v = impact::multiply(moving, U1);
+            const scalar late =
+                cells.heightAbove(place, x)
+               /max(impact::dot(cells.normal(place), v), ROOTVSMALL);
+            if (late != 0 && mag(late) < 0.1*t)
+            {
+                const scalar share = late/t;
+                x = x - late*v;
+                U1 =
+                    U1 - share*(2*(U1 - state.v) - t*o.a);
+                omega1 =
+                    omega1 - share*(2*(omega1 - state.omega) - t*o.alpha);
+                t -= late;
+            }
+        }
+
+        p.stepFraction() =
+            place >= 0 || t < remaining ? min(begin + t/trackTime, 1.0) : 1;
+        p.U() = fromCore(U1);
+        if (reduced)
+        {
+            meshTools::constrainDirection(mesh, mesh.solutionD(), p.U());
+        }
+        omega_ = fromCore(omega1);
+        const scalar mass = p.mass();
+        if (coupled)
+        {
+            giveToGas
+            (
+                cloud, force.massEff(mass), U0, omega0,
+                t*force.external(mass, p.rho()), true
+            );
+        }
+        ++statistics.nSteps;
+
+        // Another part of the mesh cell, another mesh cell, or the boundary
+        const label next =
+            place < 0 ? celli : cells.behind(place, x);
+        const bool bounded = place >= 0 && next < 0;
+        const bool between = place >= 0 && cells.meshFace(place) < 0;
+
+        // A parcel pressed against a wall, or on an edge, may hit again and
+        // again in next to no time: then a tenth of the step passes where it
+        // is
+        stalls = t < 1e-9*trackTime ? stalls + 1 : 0;
+        hits += bounded;
+        if (stalls > 20 || hits > 50)
+        {
+            stalls = 0;
+            hits = 0;
+            const scalar pause =
+                min((1 - p.stepFraction())*trackTime, 0.1*trackTime);
+            if (Force::places)
+            {
+                tetPlace::put(p, cells, x, celli, -1);
+            }
+            force.place(gas.at(celli, store), x);
+            const vector U2 = p.U();
+            const vector omega2 = omega_;
+            const impact::motionRate rate = force
+            (
+                impact::motionState{{0, 0, 0}, toCore(U2), toCore(omega2)}
+            );
+            force.done();
+            --left;
+            ++statistics.nForces;
+            const scalar acting = pause/(1 + pause*rate.k);
+            p.U() += acting*fromCore(rate.a);
+            omega_ += pause/(1 + pause*rate.kSpin)*fromCore(rate.alpha);
+            if (coupled)
+            {
+                giveToGas
+                (
+                    cloud, force.massEff(mass), U2, omega2,
+                    acting*force.external(mass, p.rho()), true
+                );
+            }
+            p.stepFraction() =
+                pause < (1 - p.stepFraction())*trackTime
+              ? p.stepFraction() + pause/trackTime
+              : 1;
+            t += pause;
+            ++statistics.nPauses;
         }
 
         p.age() += t;
 
-        if (p.active() && p.onFace())
+        if (watched || bounded)
         {
-            foamCompat::postFace(cloud.functions(), p, ttd);
+            tetPlace::put(p, cells, x, celli, between ? -1 : place);
+            if (p.onFace())
+            {
+                foamCompat::postFace(cloud.functions(), p, ttd);
+            }
+            foamCompat::postMove
+                (cloud.functions(), p, t, fromCore(start), ttd);
+            if (!ttd.keepParticle)
+            {
+                break;
+            }
         }
 
-        foamCompat::postMove(cloud.functions(), p, t, start, ttd);
-
-        if (p.active() && p.onFace() && ttd.keepParticle)
+        if (bounded)
         {
-            p.hitFace(s, cloud, ttd);
+            p.hitFace(fromCore(x - start), cloud, ttd);
+            if (ttd.keepParticle && !ttd.switchProcessor)
+            {
+                find();
+            }
+        }
+        else if (place >= 0)
+        {
+            // Some tetrahedron of the next cell, for whoever asks
+            celli = next;
+            p.cell() = cells.meshCell(celli);
+            if (!between)
+            {
+                p.tetFace() = cells.meshFace(place);
+                p.tetPt() = 1;
+            }
+        }
 
-            // Nothing is carried from cell to cell, so that a face between
-            // two ranks is like any other
+        if (place >= 0)
+        {
+            // Nothing is carried from cell to cell, so that a face between two
+            // ranks is like any other
             statistics.mostForces =
                 max(statistics.mostForces, scalar(maxForces - left));
             left = maxForces;
             hTry = GREAT;
-            byTetrahedra = false;
         }
     }
     statistics.mostForces =
         max(statistics.mostForces, scalar(maxForces - left));
+
+    if (ttd.keepParticle && !ttd.switchProcessor && p.stepFraction() >= 1)
+    {
+        tetPlace::put(p, cells, x, celli, -1);
+    }
 
     return ttd.keepParticle;
 }

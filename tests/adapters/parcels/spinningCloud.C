@@ -185,6 +185,17 @@ protected:
 };
 
 
+std::string schemes(const std::string& scheme)
+{
+    std::string entries;
+    for (const char* name : {"rho", "U", "thermo:mu", "T"})
+    {
+        entries += name + (' ' + scheme) + ';';
+    }
+    return "solution{interpolationSchemes{" + entries + "}}";
+}
+
+
 std::string single
 (
     const char* d,
@@ -296,15 +307,18 @@ TEST_F(spinningCloudTest, coreAndListedForcesAgree)
 
 TEST_F(spinningCloudTest, errorFollowsTheToleranceInALinearField)
 {
-    // Interpolation is exact there: what is left is the motion
-    open(50, 2e4, 1e4);
+    // Interpolation is exact there: what is left is the motion. Below Mach 1,
+    // where the drag law has a kink, which stages before it do not see: past
+    // it errors stay at 3e-7 for any tolerance
+    open(50, 1e4, 5e3);
+    std::string gas;
     const auto state =
-        [this](const char* tolerance, const label n, const word& name)
+        [&](const char* tolerance, const label n, const word& name)
         {
             time_->setDeltaT(4e-5/n);
             const auto cloud = make
             (
-                single("3e-6", "(300 20 0)")
+                gas + single("3e-6", "(300 20 0)")
               + "constantProperties{omega0 (0 0 1e5);}"
                 "solution{motion{type embeddedRK54;tolerance " + tolerance
               + ";}}",
@@ -315,21 +329,60 @@ TEST_F(spinningCloudTest, errorFollowsTheToleranceInALinearField)
             return std::make_pair(p.position(), p.U());
         };
     const auto truth = state("1e-12", 400, "truth");
+    const vector there
+    (
+        50 + 1e4*truth.first.x(), 5e3*truth.first.x(), 0
+    );
+    ASSERT_LT(mag(there - truth.second), 280);
     const scalar way = mag(truth.first - vector(0.02, 0.02, 0.0005));
     ASSERT_GT(way, 0.005);
-    scalar last = 1;
-    for (const char* tolerance : {"1e-3", "1e-5", "1e-7"})
+    for (const word& scheme : cellGas::schemes)
     {
-        const auto here = state(tolerance, 10, word("t") + tolerance);
-        const scalar error = max
-        (
-            mag(here.first - truth.first)/way,
-            mag(here.second - truth.second)/mag(truth.second)
-        );
-        EXPECT_LT(error, 30*std::atof(tolerance)) << tolerance;
-        EXPECT_LT(error, last);
-        last = error;
+        SCOPED_TRACE(scheme);
+        gas = schemes(scheme);
+        scalar last = 1;
+        for (const char* tolerance : {"1e-3", "1e-5", "1e-7", "1e-9"})
+        {
+            const auto here =
+                state(tolerance, 10, scheme + "t" + tolerance);
+            const scalar error = max
+            (
+                mag(here.first - truth.first)/way,
+                mag(here.second - truth.second)/mag(truth.second)
+            );
+            EXPECT_LT(error, 30*std::atof(tolerance)) << tolerance;
+            EXPECT_LT(error, last);
+            last = error;
+        }
     }
+}
+
+
+TEST_F(spinningCloudTest, theGasIsLinearInEachCellUnlessTold)
+{
+    open();
+    IFstream is(root_/"case/constant/kinematicCloudProperties");
+    dictionary dict(is);
+    EXPECT_EQ(make(embedded)->gas().scheme(), "cellPoint");
+    EXPECT_EQ
+    (
+        make(embedded + schemes("cellLinear"))->gas().scheme(),
+        "cellLinear"
+    );
+
+    // Without a word of it
+    dict.merge(parse(embedded));
+    dict.subDict("solution").remove("interpolationSchemes");
+    {
+        OFstream os(root_/"case/constant/plainProperties");
+        os  << "FoamFile{version 2.0; format ascii; class dictionary;"
+            << " object plainProperties;}" << nl;
+        dict.write(os, false);
+    }
+    basicSpinningCloud cloud("plain", rho_(), U_(), mu_(), g_);
+    EXPECT_EQ(cloud.gas().scheme(), "cellLinear");
+    step(cloud);
+    EXPECT_EQ(cloud.size(), 7);
 }
 
 
@@ -503,11 +556,11 @@ TEST_F(spinningCloudTest, leavesTheFrozenGasAlone)
     open(50, 1e4, 2e4);
     const auto cloud = make(embedded);
     step(*cloud);
-    const volVectorField& curl = parcelGas::halfCurl(U_());
+    const volVectorField& curl = cellGas::halfCurl(U_());
     EXPECT_NEAR(curl[500].z(), 1e4, 1e-6);
     const label before = curl.eventNo();
     step(*cloud, 3);
-    EXPECT_EQ(&parcelGas::halfCurl(U_()), &curl);
+    EXPECT_EQ(&cellGas::halfCurl(U_()), &curl);
     EXPECT_EQ(curl.eventNo(), before);
     U_() *= 2;
     step(*cloud);
@@ -592,7 +645,12 @@ TEST_F(spinningCloudTest, refusesBadInput)
     expectRefusal
     (
         "solution{motion embeddedRK54;interpolationSchemes{U cell;}}",
-        {"U cell", "cellPoint"}
+        {"U cell", "cellLinear", "cellPoint"}
+    );
+    expectRefusal
+    (
+        "solution{motion embeddedRK54;interpolationSchemes{U cellLinear;}}",
+        {"rho cellPoint", "cellLinear"}
     );
     expectRefusal
     (
@@ -631,9 +689,13 @@ TEST_F(spinningCloudTest, dragIsThatOfEachLawOfTheCore)
         }
         const auto law = impact::dragLaw::New(kind.name, c);
 
-        // A step across a jump of Loth's law loses accuracy with the jump
-        const scalar tolerance =
-            kind.name == std::string("lothDrag") ? 1e-5 : 1e-6;
+        // A step in whose last two fifths the law jumps does not see that:
+        // with the jumps of Loth's law (2.8 %) it errs by up to 0.011 of the
+        // speed that it loses, 1.2e-2 of all in 2e-7 s
+        const bool jumps = kind.name == std::string("lothDrag");
+        const scalar tolerance = jumps ? 1e-5 : 1e-6;
+        const label shorter = jumps ? 20 : 1;
+        time_->setDeltaT(dt/shorter);
 
         // The equation of motion in gas at rest, in small steps
         const scalar rho = rho_()[0];
@@ -670,7 +732,7 @@ TEST_F(spinningCloudTest, dragIsThatOfEachLawOfTheCore)
                 word("law") + Foam::name(i++),
                 kind.name + std::string("{") + entries + '}' + more
             );
-            step(*cloud, 21);
+            step(*cloud, 21*shorter);
             EXPECT_EQ(cloud->coreForce() != nullptr, !*more);
             EXPECT_LT(v, 890);
 

@@ -8,9 +8,11 @@ Description
 
 #include "OFstream.H"
 #include "channelTest.H"
-#include "parcelGas.H"
+#include "cellGas.H"
+#include "coreVector.H"
 #include "volFields.H"
 #include "wallGasInterpolation.H"
+#include "wallPolyPatch.H"
 
 #include <gtest/gtest.h>
 #include <cstdlib>
@@ -334,7 +336,7 @@ TEST_F(wallGasTest, theWallsMatterWithoutIt)
 }
 
 
-TEST_F(wallGasTest, packedGasMeetsTheWalls)
+TEST_F(wallGasTest, theGasOfTheCellsMeetsTheWalls)
 {
     const volScalarField one
     (
@@ -342,35 +344,156 @@ TEST_F(wallGasTest, packedGasMeetsTheWalls)
         mesh_(),
         dimensionedScalar("one", dimless, 1)
     );
-    parcelGas gas(mesh_());
-    gas.update(U_(), nullptr, one, one, nullptr);
-    const auto velocity =
-        [&](const barycentric& y, const tetIndices& tet)
-        {
-            const particle p(mesh_(), y, tet.cell(), tet.face(), tet.tetPt());
-            const impact::gasState g = gas.at(p);
-            parcelGas::tetField field;
-            field.set(gas, p);
-            const impact::gasState h = field();
-            EXPECT_EQ(g.u.x, h.u.x);
-            EXPECT_EQ(g.u.y, h.u.y);
-            EXPECT_EQ(g.u.z, h.u.z);
-            return vector(g.u.x, g.u.y, g.u.z);
-        };
-    EXPECT_LT(worst(velocity), 1e-11);
-    EXPECT_LT(worstInEdges(velocity), 1e-11);
+    for (const word& name : cellGas::schemes)
+    {
+        SCOPED_TRACE(name);
+        cellGas gas(mesh_(), name);
+        EXPECT_EQ(gas.scheme(), name);
+        gas.update(U_(), nullptr, one, one, nullptr);
+        const auto velocity =
+            [&](const barycentric& y, const tetIndices& tet)
+            {
+                const particle p
+                    (mesh_(), y, tet.cell(), tet.face(), tet.tetPt());
+                const impact::vector3 x = toCore(p.position());
+                cellGas::field store;
+                const label celli = gas.cells().locate(tet.cell(), x);
+                return fromCore(gas.at(celli, store)(x).u);
+            };
+        EXPECT_LT(worst(velocity), 1e-11);
+        EXPECT_LT(worstInEdges(velocity), 1e-11);
 
-    // The stock scheme sees the same
-    const auto scheme = interpolation<vector>::New("cellPoint", U_());
-    onWalls
-    (
-        [&](const word&, const tetIndices& tet, const vector&)
+        // The stock clouds see the same
+        const auto scheme = interpolation<vector>::New(name, U_());
+        onWalls
+        (
+            [&](const word&, const tetIndices& tet, const vector&)
+            {
+                const barycentric y(0.4, 0.3, 0.2, 0.1);
+                if (name == "cellPoint")
+                {
+                    const vector stock = scheme->interpolate(y, tet);
+                    EXPECT_LT(mag(velocity(y, tet) - stock), 1e-11);
+                }
+            }
+        );
+    }
+}
+
+
+TEST_F(wallGasTest, wallsThatOneLinearFieldCannotMeet)
+{
+    // One cell, a prism on a polygon whose first sides are walls
+    struct shape
+    {
+        std::vector<vector> corners;
+        label nWalls;
+        label nSplit;
+    };
+    const std::vector<shape> shapes
+    {
+        // A floor of two facets, at 23 degrees
         {
-            const barycentric y(0.4, 0.3, 0.2, 0.1);
-            const vector stock = scheme->interpolate(y, tet);
-            EXPECT_LT(mag(velocity(y, tet) - stock), 1e-11);
+            {
+                vector(0, 0.1, 0), vector(0.5, 0, 0), vector(1, 0.1, 0),
+                vector(1, 1, 0), vector(0, 1, 0)
+            },
+            2, 1
+        },
+        // A channel that narrows, open at one end
+        {
+            {
+                vector(1, 0.8, 0), vector(0, 1, 0), vector(0, 0, 0),
+                vector(1, 0.1, 0)
+            },
+            3, 1
+        },
+        // One that does not
+        {
+            {
+                vector(1, 1, 0), vector(0, 1, 0), vector(0, 0, 0),
+                vector(1, 0, 0)
+            },
+            3, 0
         }
-    );
+    };
+    U_.clear();
+    mesh_.clear();
+    for (const shape& s : shapes)
+    {
+        const label n = s.corners.size();
+        SCOPED_TRACE(n*10 + s.nSplit);
+        pointField points(2*n);
+        faceList faces(n + 2);
+        face front(n), back(n);
+        for (label i = 0; i < n; ++i)
+        {
+            const label j = (i + 1) % n;
+            points[i] = s.corners[i];
+            points[n + i] = s.corners[i] + vector(0, 0, 0.5);
+            faces[i] = face({i, j, j + n, i + n});
+            front[i] = n + i;
+            back[i] = n - 1 - i;
+        }
+        faces[n] = front;
+        faces[n + 1] = back;
+        fvMesh mesh
+        (
+            IOobject(fvMesh::defaultRegion, time_->timeName(), time_()),
+            std::move(points),
+            std::move(faces),
+            labelList(n + 2, Zero),
+            labelList()
+        );
+        List<polyPatch*> patches
+        ({
+            new wallPolyPatch
+            (
+                "walls", s.nWalls, 0, 0, mesh.boundaryMesh(), "wall"
+            ),
+            new polyPatch
+            (
+                "rest", n + 2 - s.nWalls, s.nWalls, 1, mesh.boundaryMesh(),
+                "patch"
+            )
+        });
+        mesh.addFvPatches(patches);
+        volVectorField U
+        (
+            IOobject("U", time_->timeName(), mesh),
+            mesh,
+            dimensionedVector("U", dimVelocity, vector(100, -30, 20)),
+            wordList({"slip", "zeroGradient"})
+        );
+        U.correctBoundaryConditions();
+        const volScalarField one
+        (
+            IOobject("one", time_->timeName(), mesh),
+            mesh,
+            dimensionedScalar("one", dimless, 1)
+        );
+        cellGas gas(mesh, "cellLinear");
+        gas.update(U, nullptr, one, one, nullptr);
+        EXPECT_EQ(gas.cells().nSplit(), s.nSplit);
+        for (label facei = 0; facei < s.nWalls; ++facei)
+        {
+            for (label tetPti = 1; tetPti < 3; ++tetPti)
+            {
+                const triFace t =
+                    tetIndices(0, facei, tetPti).faceTriIs(mesh);
+                const point at =
+                    0.2*mesh.points()[t[0]]
+                  + 0.3*mesh.points()[t[1]]
+                  + 0.5*mesh.points()[t[2]];
+                const impact::vector3 x = toCore(at);
+                cellGas::field store;
+                const label celli = gas.cells().locate(0, x);
+                const vector u = fromCore(gas.at(celli, store)(x).u);
+                EXPECT_NEAR(u & t.unitNormal(mesh.points()), 0, 1e-11);
+                EXPECT_GT(mag(u), 10);
+            }
+        }
+    }
 }
 
 

@@ -152,10 +152,13 @@ for rake in rakes:
 # A tolerance that the evaluations allowed between two faces do not reach must
 # not throw parcels off in the shock
 frozen("strict")
-edit("strict", "constant/sandCloud", "1e-5;", "1e-6;")
+edit("strict", "constant/sandCloud", "1e-5;", "1e-10;")
 log = solve("strict")
 uncontrolled = max(int(n) for n in re.findall(
     r"cut, uncontrolled, at rest *= *\d+, (\d+),", log))
+most = max(float(n) for n in re.findall(
+    r"Most forces between two faces *= *(\S+)", log))
+verdict("strictForcesBetweenFaces", 30 < most <= 50, f"{most:g} evaluations")
 for rake in rakes:
     one, other = first_impacts("frozen1", rake), first_impacts("strict", rake)
     common = np.isin(one["origId"], other["origId"])

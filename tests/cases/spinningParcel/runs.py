@@ -23,7 +23,7 @@ solution
     rotation on;
     MOTION
     interpolationSchemes
-    { rho cellPoint; U cellPoint; T cellPoint; thermo:mu cellPoint; }
+    { rho SCHEME; U SCHEME; T SCHEME; thermo:mu SCHEME; }
     integrationSchemes { U Euler; }
 }
 constantProperties { rho0 2500; omega0 (0 0 2e6); }
@@ -48,6 +48,7 @@ cloudFunctions {}
 """
 MOTIONS = {"stock": "motion stock;",
            "embedded": "motion { type embeddedRK54; tolerance 1e-6; }"}
+MOTIONS["linear"] = MOTIONS["embedded"]
 TIMES = ("5e-05", "0.0001")
 
 
@@ -74,7 +75,9 @@ def make(case, motion):
     write_field(case, "U", u, fixed)
     write_foam(case, "constant/parcelClouds", "clouds (sand);")
     write_foam(case, "constant/sandProperties",
-               CLOUD.replace("MOTION", MOTIONS[motion]))
+               CLOUD.replace("MOTION", MOTIONS[motion]).replace(
+                   "SCHEME", "cellLinear" if motion == "linear"
+                   else "cellPoint"))
 
 
 def binary_list(path, width):
