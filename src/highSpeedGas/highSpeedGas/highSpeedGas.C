@@ -4,6 +4,7 @@
 
 #include "highSpeedGas.H"
 #include "checked.H"
+#include "shockAlignment.H"
 #include "steadySolution.H"
 #include "localIOdictionary.H"
 #include "presentFile.H"
@@ -367,15 +368,7 @@ Foam::highSpeedGas::highSpeedGas(const fvMesh& mesh)
      && state_.getOrDefault<scalar>("imbalance", GREAT) <= residual_;
 
     const sigFpe::ignore untrapped;     // A NaN must be looked at
-    equations_.reset
-    (
-        new gasEquations
-        (
-            mesh, *thermo_, U_, rho_, phi_, viscous_, restarts
-        )
-    );
-    march_.reset(new RungeKutta(*equations_, stages_));
-    publish(restarts);
+    setEquations(restarts);
     equations_->validateTurbulence();
     if (mode_ == modeType::steady)
     {
@@ -449,17 +442,67 @@ void Foam::highSpeedGas::publish(const bool asWritten)
 }
 
 
-void Foam::highSpeedGas::findSteadyState()
+void Foam::highSpeedGas::findSteadyState
+(
+    const scalar residual,
+    const bool near
+)
 {
     steadySolution solution
     (
         *equations_,
-        {implicit_, stages_, maxCo_, residual_, maxIterations_, reportEvery_}
+        {implicit_, stages_, maxCo_, residual, maxIterations_, reportEvery_}
     );
-    solution.solve();
+    solution.solve(near);
     state_.set("imbalance", solution.imbalance().value());
     state_.set("iterations", solution.iterations());
-    steady_ = true;
+}
+
+
+void Foam::highSpeedGas::setEquations(const bool restarts)
+{
+    march_.clear();
+    equations_.clear();
+    equations_.reset
+    (
+        new gasEquations
+        (
+            mesh_, *thermo_, U_, rho_, phi_, viscous_, restarts
+        )
+    );
+    march_.reset(new RungeKutta(*equations_, stages_));
+    publish(restarts);
+}
+
+
+void Foam::highSpeedGas::align(shockAlignment& alignment)
+{
+    if (mode_ != modeType::steady)
+    {
+        FatalIOErrorInFunction(mesh_.solutionDict())
+            << "A mesh is moved to the shock of a steady gas." << nl
+            << "Set 'mode steady;' in the block highSpeedGas"
+            << exit(FatalIOError);
+    }
+
+    // The shock stands long before the last cell is at rest
+    const scalar residual = max(residual_, 1e-4);
+    const sigFpe::ignore untrapped;
+
+    label round = 0;
+    findSteadyState(residual, false);
+    publish();
+    while (!alignment.follows(thermo_->p()) && round < alignment.rounds())
+    {
+        alignment.move(thermo_->p(), thermo_->T(), U_);
+        setEquations(false);
+        findSteadyState(residual, true);
+        publish();
+        round++;
+    }
+    alignment.report();
+    findSteadyState(residual_, true);
+    publish();
 }
 
 
@@ -495,7 +538,8 @@ bool Foam::highSpeedGas::solve()
 
         if (mode_ == modeType::steady)
         {
-            findSteadyState();
+            findSteadyState(residual_, false);
+            steady_ = true;
         }
         else
         {

@@ -118,11 +118,13 @@ void Foam::steadySolution::converge(NewtonKrylov& newton)
         }
         report("Newton", Co);
 
-        // The step grows as the residual falls, but no faster than twofold
+        // The step grows as the residual falls, but no faster than twofold,
+        // nor further than the linear equations can be solved
         const scalar small = max(scalar(20), 3e-3/newton.norm());
         const scalar ratio = before/newton.norm();
         Co =
             share == 0 ? 0.25*Co
+          : !newton.solved() ? 0.5*Co
           : share < 1 ? max(0.5, min(ratio, 1.0))*Co
           : max(max(0.5, min(ratio, 2.0))*Co, min(2*Co, small));
 
@@ -135,7 +137,7 @@ void Foam::steadySolution::converge(NewtonKrylov& newton)
 }
 
 
-bool Foam::steadySolution::solve()
+bool Foam::steadySolution::solve(const bool near)
 {
     Info<< "Gas: looking for the steady state" << endl;
 
@@ -151,13 +153,21 @@ bool Foam::steadySolution::solve()
         std::unique_ptr<NewtonKrylov> newton;
         scalar Co = settings_.maxCo;
 
-        equations_.roughen(true);
-        approach(implicit, Co);
-        equations_.roughen(false);
+        // A march from far away begins with first-order fluxes
         equations_.computeRate();
-        if (!finished())
+        if (!finished() && imbalance_.value() > 0.05)
         {
-            approach(implicit, Co);
+            if (!near)
+            {
+                equations_.roughen(true);
+                approach(implicit, Co);
+                equations_.roughen(false);
+                equations_.computeRate();
+            }
+            if (!finished())
+            {
+                approach(implicit, Co);
+            }
         }
         while (!finished())
         {

@@ -17,6 +17,7 @@ Foam::NewtonKrylov::NewtonKrylov(gasEquations& gas)
     trial_(nUnknowns_),
     work_(nUnknowns_),
     norm_(GREAT),
+    solved_(true),
     nProducts_(0)
 {
     setOrder();
@@ -184,6 +185,8 @@ void Foam::NewtonKrylov::solve
         m++;
     }
 
+    solved_ = mag(g[m]) <= tolerance*start;
+
     std::vector<double> y(m);
     for (int i = m - 1; i >= 0; i--)
     {
@@ -260,13 +263,15 @@ Foam::scalar Foam::NewtonKrylov::step(const scalar Co)
         return 1;
     }
 
+    // An incomplete factorisation needs some weight on the diagonal
+    const scalar firmest = 200;
     if (nVar_ == 4)
     {
-        assemble<2>(Co);
+        assemble<2>(min(Co, firmest));
     }
     else
     {
-        assemble<3>(Co);
+        assemble<3>(min(Co, firmest));
     }
 
     std::vector<double> change(nUnknowns_);

@@ -1,0 +1,97 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+
+Application
+    alignMeshToShock
+
+Description
+    Moves the points of a mesh with layers around a body so that it follows
+    the bow shock before the body, whose place need not be known: finds the
+    steady state of the gas (highSpeedGas) on the mesh as it is, moves the
+    outer boundary and a band of small cells to the shock that it finds there
+    (shockAlignment), and so on until the shock rests. Run it once between
+    blockMesh and rhoCentralParcelFoam, or decomposePar:
+
+        alignMeshToShock [-dict FILE]
+
+    The points are written where they were read, constant/polyMesh (blockMesh
+    brings the old ones back), and the steady gas as the fields p, T and U of
+    the start time, from which rhoCentralParcelFoam goes on.
+
+    Reads system/alignMeshToShockDict if it is there.
+\*---------------------------------------------------------------------------*/
+
+#include "fvCFD.H"
+#include "completeWrite.H"
+#include "cloud.H"
+#include "highSpeedGas.H"
+#include "presentFile.H"
+#include "release.H"
+#include "shockAlignment.H"
+
+int main(int argc, char* argv[])
+{
+    argList::addNote
+    (
+        "Move the layers around a body to the bow shock before it"
+    );
+    argList::noParallel();
+    argList::addOption
+    (
+        "dict", "file", "Other dictionary than system/alignMeshToShockDict"
+    );
+
+    #include "setRootCase.H"
+    foamCompat::printRelease();
+    #include "createTime.H"
+    #include "createMesh.H"
+
+    if (isDir(runTime.timePath()/cloud::prefix))
+    {
+        FatalErrorInFunction
+            << "There are parcels at time " << runTime.timeName()
+            << ", on the mesh as it is." << nl
+            << "Align the mesh before they are injected" << exit(FatalError);
+    }
+
+    const bool given = args.found("dict");
+    IOobject io
+    (
+        given
+      ? args.get<fileName>("dict")
+      : runTime.system()/"alignMeshToShockDict",
+        mesh,
+        IOobject::MUST_READ
+    );
+    autoPtr<IOdictionary> dict;
+    if (given || isPresent<IOdictionary>(io))
+    {
+        dict.reset(new IOdictionary(io));
+    }
+
+    shockAlignment alignment(mesh, dict.valid() ? *dict : dictionary());
+    highSpeedGas gas(mesh);
+    gas.align(alignment);
+
+    // What is written is what was found, to the last digit
+    IOstream::defaultPrecision(17);
+    auto& points = mesh.thisDb().lookupObjectRef<pointIOField>("points");
+    points.instance() = mesh.facesInstance();
+    bool written = points.write();
+    for (const word name : {"p", "T", "U"})
+    {
+        written =
+            mesh.thisDb().lookupObject<regIOobject>(name).write() && written;
+    }
+    if (!written)
+    {
+        FatalErrorInFunction
+            << "The mesh and the fields could not be written"
+            << exit(FatalError);
+    }
+    Info<< "Fields p, T, U of time " << runTime.timeName() << " written" << nl
+        << "Points written to "
+        << points.instance()/points.local()/points.name() << nl
+        << "End" << nl << endl;
+    return 0;
+}

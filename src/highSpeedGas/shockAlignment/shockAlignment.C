@@ -1,0 +1,350 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "shockAlignment.H"
+#include "checked.H"
+#include "volFields.H"
+#include "wallPolyPatch.H"
+
+Foam::labelHashSet Foam::shockAlignment::bodyPatches
+(
+    const polyMesh& mesh,
+    const dictionary& dict
+)
+{
+    const polyBoundaryMesh& patches = mesh.boundaryMesh();
+    if (!dict.found("body"))
+    {
+        labelHashSet walls(patches.findPatchIDs<wallPolyPatch>());
+        if (walls.empty())
+        {
+            FatalIOErrorInFunction(dict)
+                << "The mesh has no patch of type wall. Entry body names the"
+                << " patch at which the layers begin" << nl
+                << "Valid: " << patches.names() << exit(FatalIOError);
+        }
+        return walls;
+    }
+
+    // One name, or a list of them
+    ITstream& is = dict.lookup("body");
+    const bool one = is.size() == 1;
+    const wordRes names
+    (
+        one ? wordRes({wordRe(is)}) : dict.get<wordRes>("body")
+    );
+    const labelHashSet body(patches.patchSet(names, false));
+    if (body.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry body " << names << " matches no patch" << nl
+            << "Valid: " << patches.names() << exit(FatalIOError);
+    }
+    return body;
+}
+
+
+Foam::shockAlignment::shockAlignment(fvMesh& mesh, const dictionary& dict)
+:
+    mesh_(mesh),
+    layers_(mesh, bodyPatches(mesh, dict)),
+    lines_(layers_.lines().size()),
+    moves_(0),
+    doubt_(0),
+    change_(GREAT)
+{
+    refuseOthers
+    (
+        dict,
+        {
+            "body", "outer", "bandShare", "bandWidth", "wallShare",
+            "wallWidth", "rounds", "tolerance"
+        }
+    );
+    outer_ = getNumber(dict, "outer", "[1.02, 10]", scalar(1.15));
+    bandShare_ = getNumber(dict, "bandShare", "[0, 0.9]", scalar(0.4));
+    bandWidth_ = getNumber(dict, "bandWidth", "[0.001, 1]", scalar(0.06));
+    wallShare_ = getNumber(dict, "wallShare", "[0, 0.9]", scalar(0));
+    wallWidth_ = getNumber(dict, "wallWidth", "[0.001, 1]", scalar(0.1));
+    rounds_ = getNumber<label>(dict, "rounds", "[1, 100]", 10);
+    tolerance_ = getNumber(dict, "tolerance", "(0, 1)", scalar(2e-3));
+    if (bandShare_ + wallShare_ > 0.9)
+    {
+        refuse
+        (
+            dict, "wallShare", wallShare_,
+            "[0, 0.9 - bandShare]: some cells stand elsewhere"
+        );
+    }
+
+    forAll(lines_, linei)
+    {
+        lines_[linei] = pointField(mesh.points(), layers_.lines()[linei]);
+    }
+    Info<< "Layers: " << layers_.size() << " on each of "
+        << layers_.bodyFaces().size() << " faces of the body" << endl;
+}
+
+
+void Foam::shockAlignment::findShock(const volScalarField& p)
+{
+    const labelListList& columns = layers_.columns();
+    captured_.setSize(columns.size());
+    doubt_ = 0;
+
+    forAll(columns, columni)
+    {
+        scalarField q(p, columns[columni]);
+        q.append(outside(p, columni));
+        const scalarField depth(layers_.depths(columni));
+        const label last = q.size() - 1;
+
+        // The steepest fall of the pressure outwards, and the pressures some
+        // cells before and behind it
+        label steepest = 0;
+        for (label i = 0; i < last; i++)
+        {
+            if (q[i] - q[i + 1] > q[steepest] - q[steepest + 1])
+            {
+                steepest = i;
+            }
+        }
+        const scalar front = q[min(steepest + 4, last)];
+        const scalar behind = max(q[max(steepest - 2, 0)], q[steepest]);
+        if (behind < 1.05*front)
+        {
+            const label facei = layers_.bodyFaces()[columni];
+            FatalErrorInFunction
+                << "There is no shock before face " << facei
+                << " of the body at " << mesh_.faceCentres()[facei]
+                << ": nowhere on the way outwards does the pressure fall by"
+                << " 5 % within some cells" << nl
+                << "Layers can follow a bow shock that stands before all of"
+                << " the body" << exit(FatalError);
+        }
+
+        const scalar mean = 0.5*(front + behind);
+        label i = min(steepest + 3, last - 1);
+        while (i > 0 && q[i] < mean)
+        {
+            i--;
+        }
+        const scalar share = (q[i] - mean)/(q[i] - q[i + 1]);
+        const scalar gap = depth[i + 1] - depth[i];
+        captured_[columni] = depth[i] + share*gap;
+        doubt_ = max(doubt_, 4*gap/captured_[columni]);
+
+        // A shock on the outer boundary cannot go where it belongs
+        if (steepest > last - 4)
+        {
+            doubt_ = max(doubt_, scalar(0.5));
+        }
+    }
+}
+
+
+bool Foam::shockAlignment::follows(const volScalarField& p)
+{
+    findShock(p);
+    const scalarField before(distance_);
+    distance_ = layers_.toLines(captured_);
+    if (before.empty())
+    {
+        return false;
+    }
+
+    const scalarField changes(mag(distance_/before - 1));
+    const label most = findMax(changes);
+    change_ = Foam::sqrt(average(sqr(changes)));
+    doubt_ = max(doubt_, 4*changes[most]);
+    Info<< "Shock: moved by " << 100*change_ << " % of its distance, by "
+        << 100*changes[most] << " % at " << lines_[most][0] << endl;
+    return change_ < tolerance_;
+}
+
+
+void Foam::shockAlignment::report() const
+{
+    if (change_ < tolerance_)
+    {
+        Info<< "Mesh: follows the shock after " << moves_ << " moves" << endl;
+    }
+    else
+    {
+        WarningInFunction
+            << "The shock still moves by " << 100*change_
+            << " % of its distance after " << moves_
+            << " moves of the mesh" << endl;
+    }
+}
+
+
+Foam::scalarField Foam::shockAlignment::spacing
+(
+    const scalar outer,
+    const scalar width
+) const
+{
+    // Cells up to x: integrals of the parts of n(x), each 1 at the outer
+    // boundary
+    const label n = 20000;
+    scalarField uniform(n + 1), band(n + 1, Zero), wall(n + 1);
+    const scalar dx = outer/n;
+    for (label i = 0; i <= n; i++)
+    {
+        const scalar x = i*dx;
+        uniform[i] = x/outer;
+        wall[i] = -std::expm1(-x/wallWidth_)/-std::expm1(-outer/wallWidth_);
+        if (i)
+        {
+            band[i] =
+                band[i - 1] + std::exp(-pow4((x - 0.5*dx - 1)/(0.5*width)));
+        }
+    }
+    const scalarField cells
+    (
+        layers_.size()
+       *(
+            (1 - bandShare_ - wallShare_)*uniform
+          + bandShare_*band/band[n]
+          + wallShare_*wall
+        )
+    );
+
+    scalarField x(layers_.size() + 1);
+    label i = 0;
+    forAll(x, j)
+    {
+        while (i < n - 1 && cells[i + 1] < j)
+        {
+            i++;
+        }
+        x[j] = dx*(i + (j - cells[i])/(cells[i + 1] - cells[i]));
+    }
+    x.first() = 0;
+    x.last() = outer;
+    return x;
+}
+
+
+Foam::point Foam::shockAlignment::at
+(
+    const pointField& line,
+    const scalar distance
+) const
+{
+    scalar left = distance;
+    for (label i = 1; i < line.size() - 1; i++)
+    {
+        const scalar length = mag(line[i] - line[i - 1]);
+        if (left <= length)
+        {
+            return line[i - 1] + (left/length)*(line[i] - line[i - 1]);
+        }
+        left -= length;
+    }
+    const point& end = line[line.size() - 2];
+    return end + left*normalised(line.last() - end);
+}
+
+
+void Foam::shockAlignment::movePoints(const scalarField& spacing)
+{
+    pointField points(mesh_.points());
+    forAll(lines_, linei)
+    {
+        const labelList& line = layers_.lines()[linei];
+        forAll(line, i)
+        {
+            points[line[i]] = at(lines_[linei], spacing[i]*distance_[linei]);
+        }
+    }
+
+    // Not as a mesh that moves in time: nothing of its past is kept
+    mesh_.polyMesh::movePoints(points);
+    mesh_.clearOut();
+    mesh_.resetMotion();
+    mesh_.moving(false);
+}
+
+
+template<class Type>
+Type Foam::shockAlignment::outside
+(
+    const GeometricField<Type, fvPatchField, volMesh>& field,
+    const label columni
+) const
+{
+    const label facei = layers_.outerFaces()[columni];
+    const label patchi = mesh_.boundaryMesh().whichPatch(facei);
+    const fvPatchField<Type>& values = field.boundaryField()[patchi];
+    return values[facei - values.patch().start()];
+}
+
+
+template<class Type>
+void Foam::shockAlignment::take
+(
+    GeometricField<Type, fvPatchField, volMesh>& field,
+    const List<scalarField>& before,
+    const List<scalarField>& after
+) const
+{
+    Field<Type>& values = field.primitiveFieldRef();
+    forAll(before, columni)
+    {
+        const labelList& cells = layers_.columns()[columni];
+        const scalarField& x = before[columni];
+        Field<Type> old(values, cells);
+        old.append(outside(field, columni));
+        label i = 0;
+        forAll(cells, j)
+        {
+            const scalar y = after[columni][j];
+            while (i < x.size() - 2 && x[i + 1] < y)
+            {
+                i++;
+            }
+            const scalar share =
+                max(scalar(0), min(scalar(1), (y - x[i])/(x[i + 1] - x[i])));
+            values[cells[j]] = (1 - share)*old[i] + share*old[i + 1];
+        }
+    }
+}
+
+
+void Foam::shockAlignment::move
+(
+    volScalarField& p,
+    volScalarField& T,
+    volVectorField& U
+)
+{
+    // As long as the place of the shock is in doubt it needs more room
+    const scalar width = max(bandWidth_, doubt_);
+    const scalar outer = max(outer_, 1 + width);
+
+    const label n = layers_.columns().size();
+    List<scalarField> before(n), after(n);
+    forAll(before, columni)
+    {
+        before[columni] = layers_.depths(columni)/captured_[columni];
+    }
+
+    movePoints(spacing(outer, width));
+
+    const scalarField distance(layers_.toColumns(distance_));
+    forAll(after, columni)
+    {
+        after[columni] = layers_.depths(columni)/distance[columni];
+    }
+    take(p, before, after);
+    take(T, before, after);
+    take(U, before, after);
+
+    moves_++;
+    Info<< "Mesh: band of " << width << ", outer boundary at " << outer
+        << " times the distance of the shock, which is " << gMin(distance_)
+        << " to " << gMax(distance_) << " m" << endl;
+}

@@ -1,0 +1,158 @@
+"""The layers around bodies follow the bow shock, from uniform cells between
+the body and a concentric circle, and nothing known of the shock."""
+
+import filecmp
+import os
+import re
+import shutil
+
+import numpy as np
+from bluntBody import CP, P, RADIUS, SOUND, T, pitot, prepare
+from caseTools import (GAMMA, complaint, copy_case, decompose,
+                       last_fields, must, read_field, run, solve, times_of,
+                       verdict, write_foam)
+
+ROOT = os.environ["PARCEL_IMPACT_DIR"]
+
+
+def flow(case, cells, M):
+    """Of the flow before the body: stagnation pressure over the exact one less
+    1, largest deviation of the total enthalpy in the front half of the layer,
+    standoff over radius, velocity gradient of the wall at the stagnation point
+    over the stream's speed, and the pressure of the wall over the exact
+    stagnation pressure with the angles."""
+    must(case, "postProcess", "-func", "writeCellCentres", "-latestTime")
+    C = read_field(f"{case}/{times_of(case)[-1]}/C")
+    p, t, U = [f.reshape(cells[1], cells[0], *f.shape[1:])
+               for f in last_fields(case, "p T U")]
+    C = C.reshape(cells[1], cells[0], 3)
+    away = np.hypot(C[..., 1], C[..., 2])
+    r = np.hypot(C[..., 0], away)/RADIUS
+    theta = np.arctan2(away, -C[..., 0])
+    angle = theta[:, 0]
+
+    def wall(q):
+        return np.array([np.polyfit(r[j, :3] - 1, q[j, :3], 2)[2]
+                         for j in range(cells[1])])
+
+    H = (CP*t + 0.5*(U**2).sum(axis=2))/(CP*T + 0.5*(M*SOUND)**2)
+    pressure = wall(p)/(P*pitot(M))
+    p0 = np.polyfit(angle[:4]**2, pressure[:4], 1)[1] - 1
+    # (a wedge lies in y > 0)
+    along = (U[..., 0]*np.sin(theta)
+             + (U[..., 1]*C[..., 1] + U[..., 2]*C[..., 2])/away*np.cos(theta))
+    gradient = np.polyfit(angle[:5]**2, wall(along)[:5]/angle[:5],
+                          1)[1]/(M*SOUND)
+    mean = 0.5*P*(2 + 2*GAMMA/(GAMMA + 1)*(M*M - 1))
+    stand = []
+    for j in range(4):
+        i = np.where(p[j] > mean)[0].max()
+        share = (p[j, i] - mean)/(p[j, i] - p[j, i + 1])
+        stand.append(r[j, i] + share*(r[j, i + 1] - r[j, i]) - 1)
+    standoff = np.polyfit(angle[:4]**2, stand, 1)[1]
+    enthalpy = np.abs(H[:cells[1]//2, :i - 4] - 1).max()
+    return p0, enthalpy, standoff, gradient, angle, pressure
+
+
+def align(case):
+    """Move the mesh to the shock; the log."""
+    text = must(case, "alignMeshToShock", log="alignMeshToShock")
+    verdict(case + "_follows", "Mesh: follows the shock after" in text,
+            (re.findall(r"Mesh: follows.*|The shock still.*", text)
+             or ["said nothing"])[0])
+    return text
+
+
+# From the converged, shock-fitted solutions: standoff, velocity gradient
+EXACT = {("half", 3): (0.6981, 0.6313), ("half", 6): (0.44659, 0.5744),
+         ("half", 20): (0.3829, 0.5542), ("sphere", 6): (0.14872, 0.6175)}
+CELLS = 40, 60
+for body, M, outer in (("half", 3, 5), ("half", 6, 4), ("half", 20, 4),
+                       ("sphere", 6, 2.5)):
+    case = f"{body}_{M}"
+    prepare(case, body, CELLS, outer, M)
+    align(case)
+    text = solve(case)
+    verdict(case + "_steady", "Gas: steady after 0 iterations" in text,
+            (re.findall(r"Gas: steady after \d+ iterations", text)
+             or ["not steady"])[0] + " from the fields that were written")
+    standoff0, gradient0 = EXACT[body, M]
+    p0, H, standoff, gradient, angle, pressure = flow(case, CELLS, M)
+    verdict(case + "_stagnation_pressure", abs(p0) < 1e-3,
+            f"{100*p0:+.3f} % of Rayleigh's")
+    verdict(case + "_total_enthalpy", H < 1e-3, f"within {100*H:.3f} %")
+    verdict(case + "_standoff", abs(standoff - standoff0) < 1e-3,
+            f"{standoff:.5f} of the radius, exact {standoff0}")
+    verdict(case + "_velocity_gradient", abs(gradient/gradient0 - 1) < 0.012,
+            f"{gradient:.4f}, exact {gradient0}")
+    if case == "half_6":
+        exact = np.genfromtxt(
+            f"{ROOT}/tutorials/rhoCentralParcelFoam/dustyCylinderMach6/"
+            "reference.dat", delimiter=",", skip_header=4)[1:9]
+        # (of fits to the four cells around each place)
+        near = [np.argsort(np.abs(angle - phi))[:4]
+                for phi in np.radians(exact[:, 0])]
+        ours = [np.polyval(np.polyfit(angle[i], pressure[i], 2), phi)
+                for i, phi in zip(near, np.radians(exact[:, 0]))]
+        error = np.sqrt(np.mean((ours - exact[:, 1])**2))
+        verdict(case + "_wall_pressure", error < 1e-3,
+                f"L2 {100*error:.3f} % of p0, 10 to 80 degrees")
+
+# The moved mesh is that of every later step: ranks, and another start
+case = copy_case("half_6", "ranks")
+for time in times_of(case)[1:]:
+    shutil.rmtree(f"{case}/{time}")
+decompose(case, (1, 2, 1))
+solve(case, 2)
+must(case, "reconstructPar", "-latestTime")
+apart = np.abs(last_fields(case)[0]/last_fields("half_6")[0] - 1).max()
+verdict("ranks", apart < 1e-5, f"pressures differ by {apart:.1e}")
+
+# A mesh that follows the shock is left as it is, nearly
+case = copy_case("half_6", "again")
+for time in times_of(case)[1:]:
+    shutil.rmtree(f"{case}/{time}")
+text = align(case)
+moves = int(re.search(r"after (\d+) moves", text)[1])
+verdict("again", moves <= 2, f"{moves} moves of an aligned mesh")
+
+# The annotated dictionary is that of the defaults
+case = "annotated"
+prepare(case, "half", CELLS, 4, 6)
+shutil.copy(f"{ROOT}/etc/caseDicts/annotated/alignMeshToShockDict",
+            f"{case}/system")
+align(case)
+verdict("annotated", filecmp.cmp(f"{case}/constant/polyMesh/points",
+                                 "half_6/constant/polyMesh/points", False),
+        "the annotated dictionary is that of the defaults")
+
+# What cannot be
+def refused(name, wanted, cells=(12, 8), body="half", M=6, edits=None,
+            dictionary=None, gas=None):
+    prepare(name, body, cells, 4, M, gas)
+    if dictionary is not None:
+        write_foam(name, "system/alignMeshToShockDict", dictionary)
+    if edits:
+        edits(name)
+    status, text = run(name, "alignMeshToShock")
+    verdict("refused_" + name, status != 0 and wanted in text,
+            complaint(text))
+
+
+def parcels(case):
+    os.makedirs(f"{case}/0/lagrangian/dust")
+
+
+refused("misspelt", "Did you mean bandWidth?", dictionary="bandwidht 0.1;")
+refused("far", "Entry outer 20: valid range [1.02, 10]",
+        dictionary="outer 20;")
+refused("shares", "Entry wallShare 0.6: valid range",
+        dictionary="wallShare 0.6;")
+refused("nobody", "matches no patch", dictionary="body (nose);")
+refused("between", "stands between two faces of the body",
+        dictionary="body (body inlet);")
+refused("few", "The mesh has 6 layers", cells=(6, 8))
+refused("subsonic", "There is no shock before face", M=0.3,
+        gas={"maxIterations": 60})
+refused("transient", "Set 'mode steady;'", gas={"mode": "transient"})
+refused("parcels", "There are parcels at time 0", edits=parcels)

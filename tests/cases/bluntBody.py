@@ -1,0 +1,86 @@
+"""Meshes and cases of spheres and cylinders in supersonic flow, on uniform
+cells between the body and a concentric circle."""
+
+import numpy as np
+from caseTools import GAMMA, R_GAS, must, write_case, write_field, write_foam
+
+P, T, RADIUS = 26500.0, 223.25, 0.03
+SOUND = np.sqrt(GAMMA*R_GAS*T)
+CP = GAMMA*R_GAS/(GAMMA - 1)
+
+
+def pitot(M):
+    """Stagnation over free-stream pressure behind a normal shock: Rayleigh's
+    pitot formula."""
+    g = GAMMA
+    return ((0.5*(g + 1)*M*M)**(g/(g - 1))
+            / (2*g/(g + 1)*M*M - (g - 1)/(g + 1))**(1/(g - 1)))
+
+
+def mesh(case, body, cells, outer, last=90):
+    """A sector from the stagnation line to the angle last; cells are numbered
+    with the radius fastest."""
+    half = np.radians(2.5)
+
+    def at(radius, angle, side):
+        angle = np.radians(angle)
+        x, y = -radius*np.cos(angle), radius*np.sin(angle)
+        if body == "sphere":
+            return x, y*np.cos(half), side*y*np.sin(half)
+        return x, y, side*0.0005
+
+    def text(point):
+        return "(" + " ".join(repr(float(x)) for x in point) + ")"
+
+    first = -last if body == "whole" else 0
+    far = outer*RADIUS
+    corners = [at(r, a, s) for s in (1, -1)
+               for r, a in ((RADIUS, first), (far, first), (far, last),
+                            (RADIUS, last))]
+    hexa = "0 1 2 3 0 1 6 7" if body == "sphere" else "0 1 2 3 4 5 6 7"
+    low = "0 1" if body == "sphere" else "4 5"
+    a, b = low.split()
+    arcs = [(begin, end, r, s) for begin, end, r, s in
+            (("0", "3", RADIUS, 1), ("1", "2", far, 1), (a, "7", RADIUS, -1),
+             (b, "6", far, -1))]
+    patches = {
+        "body": ("wall", f"0 3 7 {a}"), "inlet": ("patch", f"1 {b} 6 2"),
+        "outlet": ("patch", "2 3 7 6"),
+        "axis": (("empty", "0 1 1 0") if body == "sphere" else
+                 ("symmetryPlane", "0 1 5 4") if body == "half" else
+                 ("patch", "0 1 5 4"))}
+    sides = "wedge" if body == "sphere" else "empty"
+    patches["front"] = sides, "0 1 2 3"
+    patches["back"] = sides, f"{a} {b} 6 7"
+    middle = 0.5*(first + last)
+    write_foam(
+        case, "system/blockMeshDict",
+        "scale 1;\nvertices (\n" + "\n".join(map(text, corners))
+        + f"\n);\nblocks (hex ({hexa}) ({cells[0]} {cells[1]} 1) "
+        "simpleGrading (1 1 1));\nedges (\n"
+        + "\n".join(f"arc {i} {j} {text(at(r, middle, s))}"
+                    for i, j, r, s in arcs)
+        + "\n);\nboundary (\n"
+        + "\n".join(f"{name} {{ type {kind}; faces (({faces})); }}"
+                    for name, (kind, faces) in patches.items()) + "\n);")
+    return {name: kind for name, (kind, _) in patches.items()}
+
+
+def prepare(case, body, cells, outer, M, gas=None, flux="HLLC",
+            limiter="vanAlbada", last=90):
+    write_case(case, {"endTime": 1, "deltaT": 1, "writeInterval": 1},
+               {"mode": "steady", **(gas or {})}, flux, limiter)
+    kinds = mesh(case, body, cells, outer, last)
+    must(case, "blockMesh")
+    for name, value in ("p", P), ("T", T), ("U", (M*SOUND, 0, 0)):
+        boundary = {}
+        for patch, kind in kinds.items():
+            if kind in ("empty", "wedge", "symmetryPlane"):
+                boundary[patch] = f"type {kind};"
+            elif patch == "inlet":
+                boundary[patch] = "type fixedValue; value $internalField;"
+            elif patch == "body" and name == "U":
+                boundary[patch] = "type slip;"
+            else:
+                boundary[patch] = "type zeroGradient;"
+        write_field(case, name, value, boundary)
