@@ -577,7 +577,7 @@ refused("direction_along_axis",
         surface("axis { direction (0 0 1); from (0 0 2); }"), "from",
         "(0 0 2)", "across")
 refused("bin_width", surface(AXIS.replace("}", "binWidth 7; }")), "7",
-        "whole bins")
+        "whole part of 180")
 refused("unknown_patch", surface("").replace("(plate)", "(wall)"), "patches",
         "wall", "plate")
 refused("empty_patch", surface("").replace("(plate)", "(planes)"), "patches",

@@ -731,7 +731,7 @@ TEST(plumeSampler, refusesWhatIsOutOfRange)
     refused("deltaT 0", [](setup& s)
         { s.temperature = plumeSampler::temperatureMethod::euler; });
     refused("stationHalfWidth 0", [](setup& s) { s.stationHalfWidth = 0; });
-    refused("can be followed for", [](setup& s)
+    refused("time 70: valid range up to", [](setup& s)
     {
         radiativeCooling::setup dark;
         dark.absorptivity = 0;

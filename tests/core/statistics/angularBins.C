@@ -143,7 +143,7 @@ TEST(angularBins, refusesBadInput)
     EXPECT_NE(refusal(axis, zero, 1).find("across"), std::string::npos);
     for (const double width : {0.0, -1.0, 91.0, 7.0})
     {
-        EXPECT_NE(refusal(axis, upstream, width).find("bin width"),
+        EXPECT_NE(refusal(axis, upstream, width).find("binWidth"),
             std::string::npos) << width;
     }
     EXPECT_EQ(refusal(axis, upstream, 0.25), "none");

@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "particleMotion.H"
+#include "outOfRange.H"
 
 #include <complex>
 #include <stdexcept>
@@ -92,12 +93,5 @@ impact::particleMotion::particleMotion(double tolerance)
 :
     tolerance_(tolerance)
 {
-    if (!std::isfinite(tolerance) || tolerance < 1e-14 || tolerance > 0.1)
-    {
-        throw std::invalid_argument
-        (
-            "particleMotion: tolerance = " + std::to_string(tolerance)
-          + " is outside the valid range [1e-14, 0.1]"
-        );
-    }
+    checkRange("tolerance", tolerance, "[1e-14, 0.1]");
 }

@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "sweptGrid.H"
+#include "outOfRange.H"
 
 #include <cstring>
 #include <limits>
@@ -50,14 +51,7 @@ impact::sweptGrid::sweptGrid(const collisionDomain& domain)
         {
             continue;
         }
-        const double length = period_[k];
-        if (!std::isfinite(length) || length <= 0)
-        {
-            std::ostringstream text;
-            text<< "period " << length << " along axis " << k
-                << ": valid range (0, inf)";
-            throw std::invalid_argument(text.str());
-        }
+        checkRange("period of the domain", period_[k], "(0, inf) m");
     }
 }
 
@@ -72,11 +66,11 @@ void impact::sweptGrid::checkPeriods(const sweptBox& box) const
          && box.high[k] - box.low[k] > 100*period_[k]
         )
         {
-            std::ostringstream text;
-            text<< "A particle sweeps " << box.high[k] - box.low[k]
-                << " m along axis " << k << " in one step: valid range"
-                << " up to 100 periods of " << period_[k] << " m";
-            throw std::invalid_argument(text.str());
+            throwOutOfRange
+            (
+                "path of a particle in one step", box.high[k] - box.low[k],
+                "up to 100 periods of ", period_[k], " m"
+            );
         }
     }
 }

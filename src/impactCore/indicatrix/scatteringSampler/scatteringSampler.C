@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "blockLoop.H"
+#include "outOfRange.H"
 #include "samplerWorkspace.H"
 #include "scatteringKernels.H"
 #include "philoxLanes.H"
@@ -46,28 +47,11 @@ impact::scatteringSampler::scatteringSampler(const setup& s)
     flat_(relief::flat(1e3*s.body.radius())),
     visit_(setup_.body, s.law, s.treatment, s.maxImpacts)
 {
-    auto check = [](bool ok, const char* name, double value, const char* range)
-    {
-        if (!ok)
-        {
-            std::ostringstream text;
-            text<< name << ' ' << value << ": valid range " << range;
-            throw std::invalid_argument(text.str());
-        }
-    };
-    check
-    (
-        s.incidence > 0 && s.incidence <= 90,
-        "incidence", s.incidence, "(0, 90] (degrees)"
-    );
-    check(s.speed > 0 && s.speed < 1e100, "speed", s.speed, "(0, inf) (m/s)");
+    checkRange("incidence", s.incidence, "(0, 90] (degrees)");
+    checkRange("speed", s.speed, "(0, 1e100) (m/s)");
     for (int i = 0; i < 3; ++i)
     {
-        check
-        (
-            std::fabs(s.spin[i]) < 1e100,
-            "spin", s.spin[i], "finite (rad/s)"
-        );
+        checkRange("spin", s.spin[i], "(-1e100, 1e100) (rad/s)");
     }
     s.check();
 

@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "scatteringStatistics.H"
+#include "outOfRange.H"
 #include "scatteringKernels.H"
 
 #include <algorithm>
@@ -43,18 +44,12 @@ impact::scatteringStatistics::scatteringStatistics
     nAlpha_(0),
     reference_(reference)
 {
+    const char* const range = "(0.018, 180] deg, a whole part of 180";
+    checkRange("binWidth", binWidth, range);
     const double bins = 180/binWidth;
-    if
-    (
-        !(binWidth > 0)
-     || !(bins < 10000)
-     || std::fabs(bins - std::round(bins)) > 1e-9*bins
-    )
+    if (std::fabs(bins - std::round(bins)) > 1e-9*bins)
     {
-        std::ostringstream text;
-        text<< "binWidth " << binWidth << ": must divide 180 (degrees),"
-            " valid range (0.018, 180]";
-        throw std::invalid_argument(text.str());
+        throwOutOfRange("binWidth", binWidth, range);
     }
     nAlpha_ = int(std::round(bins));
     counts_.assign(std::size_t(nAlpha_)*nAlpha_ + 1, 0);

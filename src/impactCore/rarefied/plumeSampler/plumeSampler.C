@@ -96,22 +96,25 @@ impact::plumeSampler::plumeSampler(const setup& s)
             start.y + s.cooling->rate(d)*std::max(0., observed_);
         if (!(y < radiativeCooling::maxY))
         {
-            std::ostringstream text;
-            text<< "time " << s.time << ": a particle of diameter " << d
-                << " (m) at " << T << " (K) can be followed for "
-                << radiativeCooling::maxY/s.cooling->rate(d) << " (s)";
-            throw std::invalid_argument(text.str());
+            throwOutOfRange
+            (
+                "time", s.time, "up to ",
+                radiativeCooling::maxY/s.cooling->rate(d),
+                " s after a particle of diameter ", d, " m at ", T,
+                " K has left the nozzle"
+            );
         }
         if (s.temperature == temperatureMethod::euler)
         {
             const double limit = s.cooling->eulerLimit(T, d);
             if (s.deltaT > limit)
             {
-                std::ostringstream text;
-                text<< "deltaT " << s.deltaT << ": valid range (0, " << limit
-                    << "] (s), stable for a particle of diameter " << d
-                    << " (m) at " << T << " (K)";
-                throw std::invalid_argument(text.str());
+                throwOutOfRange
+                (
+                    "deltaT", s.deltaT, "(0, ", limit,
+                    "] (s), stable for a particle of diameter ", d,
+                    " (m) at ", T, " (K)"
+                );
             }
         }
     };

@@ -124,11 +124,11 @@ impact::plumeSource impact::plumeSource::interface
         {
             if (!(r.diameter >= low && r.diameter < high))
             {
-                std::ostringstream text;
-                text<< "diameter " << r.diameter
-                    << " of the interface file: valid range [" << low
-                    << ", " << high << ") (m), that of groupEdges";
-                throw std::invalid_argument(text.str());
+                throwOutOfRange
+                (
+                    "diameter of the interface file", r.diameter, '[', low,
+                    ", ", high, ") (m), that of groupEdges"
+                );
             }
         }
         ends.erase(ends.begin());

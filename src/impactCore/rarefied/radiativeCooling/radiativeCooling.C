@@ -383,11 +383,11 @@ impact::radiativeCooling::start(double T) const
     const double bottom = kinked_ ? c.front().first : 1e-6;
     if (!(T >= bottom && T <= top))
     {
-        std::ostringstream text;
-        text<< "temperature " << T << ": valid range [" << bottom << ", "
-            << top << "] (K)"
-            << (kinked_ ? ", that of the pairs of heatCapacity" : "");
-        throw std::invalid_argument(text.str());
+        throwOutOfRange
+        (
+            "temperature", T, '[', bottom, ", ", top, "] (K)",
+            kinked_ ? ", that of the pairs of heatCapacity" : ""
+        );
     }
     const double x = T/scaleT_;
     const bool hot =

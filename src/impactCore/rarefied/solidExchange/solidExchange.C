@@ -264,11 +264,13 @@ impact::solidExchange::gains impact::solidExchange::exchange
                    *(mag(v0 - b.mean) + b.thermal)*deltaT/volume;
                 if (!(hits < mostHits))
                 {
-                    std::ostringstream text;
-                    text<< "a molecule expects " << hits << " hits by solid"
-                        << " particles in a step. Valid range: < "
-                        << mostHits << "; fewer particles or a shorter step";
-                    throw std::invalid_argument(text.str());
+                    throwOutOfRange
+                    (
+                        "hits that a molecule expects from solid particles in"
+                        " a step",
+                        hits, "[0, ", mostHits, "), fewer particles or a"
+                        " shorter step"
+                    );
                 }
                 scatter
                 (

@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "reboundCoefficient.H"
+#include "outOfRange.H"
 
 #include <algorithm>
 #include <cmath>
@@ -15,12 +16,15 @@ namespace
 constexpr double radians = 3.14159265358979323846/180;
 
 
-template<class... Parts>
-[[noreturn]] void refuse(const Parts&... parts)
+//- Of a quantity's own range
+void checkValue
+(
+    const impact::reboundCoefficient::quantity& q,
+    const std::string& entry,
+    double value
+)
 {
-    std::ostringstream text;
-    (text << ... << parts);
-    throw std::invalid_argument(text.str());
+    impact::checkRange(entry, value, q.low, q.high);
 }
 
 
@@ -35,21 +39,14 @@ void checkGrid
 {
     if (x.empty())
     {
-        refuse(name, " ", what, "s: the list is empty");
+        impact::throwInvalid(name, " ", what, ": the list is empty");
     }
     for (std::size_t i = 0; i < x.size(); ++i)
     {
-        if (!(x[i] >= low && x[i] <= high))
-        {
-            refuse
-            (
-                name, " ", what, " ", x[i], ": valid range [", low, ", ",
-                high, "]"
-            );
-        }
+        impact::checkRange(name + ' ' + what, x[i], low, high);
         if (i > 0 && !(x[i] > x[i - 1]))
         {
-            refuse
+            impact::throwInvalid
             (
                 name, " ", what, " ", x[i], " follows ", x[i - 1],
                 ": they must increase"
@@ -94,13 +91,7 @@ impact::reboundCoefficient impact::reboundCoefficient::constant
     double value
 )
 {
-    if (!(value >= q.low && value <= q.high))
-    {
-        refuse
-        (
-            q.name, " ", value, ": valid range [", q.low, ", ", q.high, "]"
-        );
-    }
+    checkValue(q, q.name, value);
     reboundCoefficient c(formType::constant);
     c.value_ = value;
     return c;
@@ -115,11 +106,11 @@ impact::reboundCoefficient impact::reboundCoefficient::table
     const std::vector<double>& values
 )
 {
-    checkGrid(q.name, "angle", angles, 0, 90);
-    checkGrid(q.name, "speed", speeds, 0, 1e100);
+    checkGrid(q.name, "angles", angles, 0, 90);
+    checkGrid(q.name, "speeds", speeds, 0, 1e100);
     if (values.size() != angles.size()*speeds.size())
     {
-        refuse
+        impact::throwInvalid
         (
             q.name, " values: ", angles.size(), " angles times ",
             speeds.size(), " speeds need ", angles.size()*speeds.size(),
@@ -128,14 +119,7 @@ impact::reboundCoefficient impact::reboundCoefficient::table
     }
     for (const double value : values)
     {
-        if (!(value >= q.low && value <= q.high))
-        {
-            refuse
-            (
-                q.name, " value ", value, ": valid range [", q.low, ", ",
-                q.high, "]"
-            );
-        }
+        checkValue(q, q.name + " values", value);
     }
     reboundCoefficient c(formType::table);
     c.angles_ = angles;
@@ -157,7 +141,7 @@ impact::reboundCoefficient impact::reboundCoefficient::polynomial
 {
     if (coefficients.empty() || coefficients[0].empty())
     {
-        refuse(q.name, " coefficients: the list is empty");
+        impact::throwInvalid(q.name, " coefficients: the list is empty");
     }
     reboundCoefficient c(formType::polynomial);
     c.nSpeedPowers_ = int(coefficients[0].size());
@@ -165,7 +149,7 @@ impact::reboundCoefficient impact::reboundCoefficient::polynomial
     {
         if (int(row.size()) != c.nSpeedPowers_)
         {
-            refuse
+            impact::throwInvalid
             (
                 q.name, " coefficients: rows of ", c.nSpeedPowers_, " and ",
                 row.size(), " numbers"
@@ -174,12 +158,12 @@ impact::reboundCoefficient impact::reboundCoefficient::polynomial
         c.values_.insert(c.values_.end(), row.begin(), row.end());
     }
     c.angles_ = {angleLow, angleHigh};
-    checkGrid(q.name, "angle", c.angles_, 0, 90);
+    checkGrid(q.name, "angleRange", c.angles_, 0, 90);
     c.speeds_ = {0};
     if (c.nSpeedPowers_ > 1)
     {
         c.speeds_ = {speedLow, speedHigh};
-        checkGrid(q.name, "speed", c.speeds_, 0, 1e6);
+        checkGrid(q.name, "speedRange", c.speeds_, 0, 1e6);
     }
     for (int i = 0; i <= 180; ++i)
     {
@@ -191,7 +175,7 @@ impact::reboundCoefficient impact::reboundCoefficient::polynomial
             const double value = c.evaluate(angle, speed);
             if (!(value >= q.low && value <= q.high))
             {
-                refuse
+                impact::throwInvalid
                 (
                     q.name, " coefficients: the polynomial is ", value,
                     " at ", angle, " deg, ", speed, " m/s: valid range [",

@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "reboundLaw.H"
+#include "outOfRange.H"
 #include "frictionImpact.H"
 
 #include <sstream>
@@ -12,24 +13,6 @@ namespace
 {
 
 using impact::vector3;
-
-void checkRange
-(
-    const char* name,
-    double value,
-    double low,
-    double high,
-    const char* range
-)
-{
-    if (!(value >= low && value <= high))
-    {
-        std::ostringstream text;
-        text<< name << ' ' << value << ": valid range " << range;
-        throw std::invalid_argument(text.str());
-    }
-}
-
 
 //- Change of the contact point's velocity for an impulse S at it
 vector3 response
@@ -66,8 +49,8 @@ impact::reboundLaw impact::reboundLaw::restitution
     double tangential
 )
 {
-    checkRange("normal", normal, 0, 1, "[0, 1]");
-    checkRange("tangential", tangential, -1, 1, "[-1, 1]");
+    checkRange("normal", normal, "[0, 1]");
+    checkRange("tangential", tangential, "[-1, 1]");
     return reboundLaw(lawType::restitution, normal, tangential, 0);
 }
 
@@ -78,8 +61,8 @@ impact::reboundLaw impact::reboundLaw::coulomb
     double friction
 )
 {
-    checkRange("restitution", restitution, 0, 1, "[0, 1]");
-    checkRange("friction", friction, 0, 1e6, "[0, 1e6]");
+    checkRange("restitution", restitution, "[0, 1]");
+    checkRange("friction", friction, "[0, 1e6]");
     return reboundLaw(lawType::friction, restitution, 0, friction);
 }
 

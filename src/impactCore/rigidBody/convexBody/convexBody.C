@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "convexBody.H"
+#include "outOfRange.H"
 
 #include <Eigen/Eigenvalues>
 
@@ -23,10 +24,11 @@ void checkSize(const char* what, const vector3& size)
     {
         if (!(size[i] > 0) || !(size[i] < 1e100))
         {
-            std::ostringstream text;
-            text<< what << " (" << size.x << ' ' << size.y << ' ' << size.z
-                << "): every length must be positive and finite";
-            throw std::invalid_argument(text.str());
+            impact::throwInvalid
+            (
+                what, " (", size.x, ' ', size.y, ' ', size.z,
+                "): valid range of components (0, inf) m"
+            );
         }
     }
 }
@@ -207,12 +209,7 @@ impact::convexBody impact::convexBody::truncatedBox
 )
 {
     checkSize("truncatedBox size", size);
-    if (!(cut > 0) || !(cut < 0.5))
-    {
-        std::ostringstream text;
-        text<< "truncatedBox cut " << cut << ": valid range (0, 0.5)";
-        throw std::invalid_argument(text.str());
-    }
+    checkRange("cut", cut, "(0, 0.5)");
     const vector3 h = 0.5*size;
     std::vector<vector3> points, normals;
     for (int i = 0; i < 8; ++i)

@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "angularBins.H"
+#include "outOfRange.H"
 
 #include <algorithm>
 #include <cmath>
@@ -62,10 +63,10 @@ vector3 areaVector(const std::vector<vector3>& polygon)
 
 [[noreturn]] void refuse(const char* what, const vector3& v, const char* valid)
 {
-    std::ostringstream text;
-    text<< what << ", value (" << v.x << ' ' << v.y << ' ' << v.z << "), "
-        << valid;
-    throw std::invalid_argument(text.str());
+    impact::throwInvalid
+    (
+        what, " (", v.x, ' ', v.y, ' ', v.z, "): valid range ", valid
+    );
 }
 
 } // End anonymous namespace
@@ -98,7 +99,7 @@ angularBins::angularBins
     const double length = mag(direction);
     if (!(length > 0))
     {
-        refuse("axis direction", direction, "must have a length > 0");
+        refuse("direction", direction, "of a length > 0");
     }
     axis_ = (1/length)*direction;
 
@@ -108,27 +109,21 @@ angularBins::angularBins
     {
         refuse
         (
-            "axis from", from,
-            "must have a part across the axis"
+            "from", from, "with a part across the axis"
         );
     }
     e0_ = (1/a)*across;
     e1_ = cross(axis_, e0_);
 
-    if (!(width > 0 && width <= 90))
-    {
-        std::ostringstream text;
-        text<< "bin width, value " << width
-            << ", is outside the valid range (0, 90] degrees";
-        throw std::invalid_argument(text.str());
-    }
+    checkRange("binWidth", width, "(0, 90] deg");
     const double half = std::round(180/width);
     if (std::fabs(half*width - 180) > 1e-9*180 || half > 1e6)
     {
-        std::ostringstream text;
-        text<< "bin width, value " << width
-            << ", must divide 180 degrees into at most 1e6 whole bins";
-        throw std::invalid_argument(text.str());
+        throwOutOfRange
+        (
+            "binWidth", width, "(0, 90] deg, a whole part of 180, not less than"
+            " a millionth"
+        );
     }
     nCircle_ = 2*int(half);
 

@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "blockStatistics.H"
+#include "outOfRange.H"
 
 #include <algorithm>
 #include <cmath>
@@ -89,11 +90,7 @@ blockStatistics::blockStatistics
     }
     if (minBlocks < 10)
     {
-        throw std::invalid_argument
-        (
-            "blockStatistics: number of blocks " + std::to_string(minBlocks)
-          + " is outside the valid range >= 10"
-        );
+        throwOutOfRange("blocks", minBlocks, "[10, inf)");
     }
 }
 
@@ -230,12 +227,10 @@ void blockStatistics::setTimes(const std::vector<double>& times)
 {
     if (times.size() < 2 || times.size() - 2 >= 2*minBlocks_)
     {
-        throw std::invalid_argument
+        throwOutOfRange
         (
-            "blockStatistics: the saved state has "
-          + std::to_string(times.size() < 2 ? 0 : times.size() - 2)
-          + " blocks; the valid range is below twice the least number, "
-          + std::to_string(2*minBlocks_)
+            "number of saved blocks", times.size() < 2 ? 0 : times.size() - 2,
+            "[0, ", 2*minBlocks_, "), below twice the least number"
         );
     }
     length_ = times[0];
