@@ -5,6 +5,7 @@
 #include "plumeSetup.H"
 #include "checked.H"
 #include "coreVector.H"
+#include "PtrList.H"
 #include "Tuple2.H"
 
 namespace
@@ -21,15 +22,16 @@ impact::plumeSource readSource
 {
     typedef impact::plumeSource source;
     nRecords = 0;
+    const bool fromFile =
+        getWordOf(dict, "type", "", {"analytic", "file"}) == "file";
     refuseOthers
     (
         dict,
-        {
-            "type", "exitRadius", "groups", "file", "groupEdges",
-            "axisymmetric", "smoothing"
-        }
+        fromFile
+      ? wordList{"type", "file", "groupEdges", "axisymmetric", "smoothing"}
+      : wordList{"type", "exitRadius", "groups"}
     );
-    if (getWordOf(dict, "type", "", {"analytic", "file"}) == "file")
+    if (fromFile)
     {
         return checked(dict, [&]
         {
@@ -55,7 +57,10 @@ impact::plumeSource readSource
         });
     }
     std::vector<source::beam> beams;
-    for (const dictionary& group : dict.get<List<dictionary>>("groups"))
+
+    // A List of dictionaries loses memory as it grows
+    const PtrList<dictionary> groups(dict.lookup("groups"));
+    for (const dictionary& group : groups)
     {
         source::beam b;
         refuseOthers
@@ -243,15 +248,21 @@ Foam::plumeSetup::plumeSetup
 {
     typedef impact::plumeSampler core;
 
-    refuseOthers
-    (
-        dict,
-        {
-            "source", "material", "sunlight", "planet", "times", "burn",
-            "nozzle", "gravity", "temperature", "deltaT", "grids", "stations",
-            "stationHalfWidth", "nParticles", "seed", "targetError"
-        }
-    );
+    sampler.temperature =
+        getWord(dict, "temperature", {"exact", "euler"}) == "exact"
+      ? core::temperatureMethod::exact : core::temperatureMethod::euler;
+    wordList valid
+    {
+        "source", "material", "sunlight", "planet", "times", "burn",
+        "nozzle", "gravity", "temperature", "grids", "stations",
+        "stationHalfWidth", "nParticles", "seed", "targetError"
+    };
+    if (sampler.temperature == core::temperatureMethod::euler)
+    {
+        valid.append("deltaT");
+        sampler.deltaT = getNumber(dict, "deltaT", validRange::duration);
+    }
+    refuseOthers(dict, valid);
     sampler.source = std::make_shared<const impact::plumeSource>
         (readSource(dict.subDict("source"), casePath, nRecords));
     sampler.cooling = std::make_shared<const impact::radiativeCooling>
@@ -314,14 +325,6 @@ Foam::plumeSetup::plumeSetup
     else
     {
         getWord(dict, "gravity", {"off"});
-    }
-
-    sampler.temperature =
-        getWord(dict, "temperature", {"exact", "euler"}) == "exact"
-      ? core::temperatureMethod::exact : core::temperatureMethod::euler;
-    if (sampler.temperature == core::temperatureMethod::euler)
-    {
-        sampler.deltaT = getNumber(dict, "deltaT", validRange::duration);
     }
 
     const dictionary& grids = dict.subDict("grids");

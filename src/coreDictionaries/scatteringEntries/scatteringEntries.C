@@ -31,7 +31,14 @@ impact::convexBody readShape
             {"sphere", "ellipsoid", "box", "truncatedBox", "polyhedron"}
         )
     );
-    refuseOthers(dict, {"type", "diameter", "size", "cut", "file", "scale"});
+    refuseOthers
+    (
+        dict,
+        type == "sphere" ? wordList{"type", "diameter"}
+      : type == "truncatedBox" ? wordList{"type", "size", "cut"}
+      : type == "polyhedron" ? wordList{"type", "file", "scale"}
+      : wordList{"type", "size"}
+    );
     const auto size = [&]()
     {
         return toCore(getComponents(dict, "size", validRange::diameter));
@@ -85,14 +92,20 @@ std::shared_ptr<const impact::relief> readWall
             {"smooth", "rough", "profile", "sinusoidal", "flat"}
         )
     );
-    refuseOthers
-    (
-        dict,
-        {
-            "type", "treatment", "meanSpacing", "sigmaSpacing", "sigmaHeight",
-            "file", "scale", "amplitude", "wavelength"
-        }
-    );
+    wordList valid{"type", "treatment"};
+    if (type == "rough")
+    {
+        valid.append(wordList{"meanSpacing", "sigmaSpacing", "sigmaHeight"});
+    }
+    else if (type == "profile")
+    {
+        valid.append(wordList{"file", "scale"});
+    }
+    else if (type == "sinusoidal")
+    {
+        valid.append(wordList{"amplitude", "wavelength"});
+    }
+    refuseOthers(dict, valid);
     if (type == "smooth")
     {
         return nullptr;
@@ -135,13 +148,16 @@ std::shared_ptr<const impact::relief> readWall
 impact::reboundLaw readLaw(const dictionary& dict)
 {
     typedef impact::reboundLaw law;
-    refuseOthers
-    (
-        dict, {"type", "normal", "tangential", "restitution", "friction"}
-    );
     const word type
     (
         getWordOf(dict, "type", "", {"restitution", "friction"})
+    );
+    refuseOthers
+    (
+        dict,
+        type == "restitution"
+      ? wordList{"type", "normal", "tangential"}
+      : wordList{"type", "restitution", "friction"}
     );
     if (type == "restitution")
     {

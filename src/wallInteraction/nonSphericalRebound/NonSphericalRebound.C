@@ -70,15 +70,32 @@ Foam::NonSphericalRebound<CloudType>::readWall
     const label setting
 ) const
 {
-    refuseOthers
+    const word method
     (
-        dict,
-        {
-            "type", "shape", "wall", "law", "orientation", "maxImpacts",
-            "method", "lay", "layDirection", "table", "incidenceRange",
-            "diameterTolerance"
-        }
+        getWordOf(dict, "method", "direct", {"direct", "tabulated"})
     );
+    const word lay
+    (
+        getWordOf
+        (
+            dict, "lay", "acrossMotion",
+            {"acrossMotion", "acrossFlow", "fixed"}
+        )
+    );
+    wordList valid
+    {
+        "type", "shape", "wall", "law", "orientation", "maxImpacts", "method",
+        "lay"
+    };
+    if (method == "tabulated")
+    {
+        valid.append(wordList{"table", "incidenceRange", "diameterTolerance"});
+    }
+    if (lay == "fixed")
+    {
+        valid.append("layDirection");
+    }
+    refuseOthers(dict, valid);
     const fileName casePath(this->owner().db().time().globalPath());
     impact::wallEncounter setup;
     scatteringEntries::read(dict, casePath, setup);
@@ -90,14 +107,6 @@ Foam::NonSphericalRebound<CloudType>::readWall
     wall.maxImpacts = setup.maxImpacts;
     wall.layDirection = Zero;
     wall.diameterTolerance = 0;
-    const word lay
-    (
-        getWordOf
-        (
-            dict, "lay", "acrossMotion",
-            {"acrossMotion", "acrossFlow", "fixed"}
-        )
-    );
     wall.lay =
         lay == "acrossMotion" ? layType::acrossMotion
       : lay == "acrossFlow" ? layType::acrossFlow : layType::fixed;
@@ -117,10 +126,6 @@ Foam::NonSphericalRebound<CloudType>::readWall
         compareWithFaces(*setup.wall, setting);
     }
 
-    const word method
-    (
-        getWordOf(dict, "method", "direct", {"direct", "tabulated"})
-    );
     if (method == "direct")
     {
         checked
