@@ -152,6 +152,7 @@ Foam::autoPtr<Foam::parcelCloudModel> Foam::parcelCloudModel::New
         properties,
         {"type", "solution", "constantProperties", "subModels", "cloudFunctions"}
     );
+    findBlock(properties, "cloudFunctions");
     const word type
     (
         properties.lookupOrDefault<word>("type", "basicKinematicCloud")
