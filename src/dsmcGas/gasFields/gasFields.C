@@ -137,6 +137,16 @@ void Foam::gasFields::makeFields(const bool readSums)
 }
 
 
+Foam::exactSums Foam::gasFields::savedSums()
+{
+    exactSums saved(mesh_, "gasFieldsSums");
+    saved.add(duration_);
+    saved.add(cells_);
+    saved.add(walls_);
+    return saved;
+}
+
+
 void Foam::gasFields::derive()
 {
     const scalar k = impact::maxwellian::boltzmann;
@@ -248,6 +258,10 @@ Foam::gasFields::gasFields
     nSteps_ = state.get<label>("nSteps");
     duration_ = state.get<scalar>("duration");
     Info<< "Continuing means over " << nSteps_ << " steps" << nl << endl;
+    if (savedSums().read(nSteps_))
+    {
+        return;
+    }
 
     const auto restore = [&](auto values, sums& s, const scalar factor)
     {
@@ -483,4 +497,5 @@ void Foam::gasFields::writeState() const
     state.add("nSteps", nSteps_);
     state.add("duration", duration_);
     state.regIOobject::write();
+    const_cast<gasFields&>(*this).savedSums().write(nSteps_);
 }

@@ -149,6 +149,17 @@ void Foam::solidFields::makeFields(const bool read)
 }
 
 
+Foam::exactSums Foam::solidFields::savedSums()
+{
+    exactSums saved(mesh_, "solidFieldsSums");
+    saved.add(duration_);
+    saved.add(cells_);
+    saved.add(gains_);
+    saved.add(walls_);
+    return saved;
+}
+
+
 void Foam::solidFields::restore()
 {
     const label nGroups = mass_.size();
@@ -262,7 +273,10 @@ Foam::solidFields::solidFields
     {
         nSteps_ = state.get<label>("nSteps");
         duration_ = state.get<scalar>("duration");
-        restore();
+        if (!savedSums().read(nSteps_))
+        {
+            restore();
+        }
     }
 }
 
@@ -423,4 +437,5 @@ void Foam::solidFields::writeState() const
     state.add("nSteps", nSteps_);
     state.add("duration", duration_);
     state.regIOobject::write();
+    const_cast<solidFields&>(*this).savedSums().write(nSteps_);
 }
