@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "JkrAdhesion.H"
+#include "writtenState.H"
 #include "counterRandom.H"
 #include "scatteringEntries.H"
 #include "withheldOutput.H"
@@ -317,6 +318,10 @@ void Foam::JkrAdhesion<CloudType>::endStep()
     if (this->owner().db().time().writeTime())
     {
         layer_.write();
+        writtenState::addParcels
+        (
+            this->owner().mesh(), this->owner().name(), this->owner().size()
+        );
         this->setModelProperty("nReleased", layer_.nReleased());
     }
 }

@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "ParcelWallModel.H"
+#include "writtenState.H"
 #include "impactTime.H"
 
 // * * * * * * * * * * * * * ParcelWallReport * * * * * * * * * * * * * * * * //
@@ -14,13 +15,13 @@ void Foam::ParcelWallReport<CloudType>::postEvolve
 )
 {
     CloudType& cloud = this->owner();
-    counters_.report
-    (
-        Info,
-        cloud.outputProperties(),
-        true,
-        cloud.solution().transient() && cloud.db().time().writeTime()
-    );
+    const bool store =
+        cloud.solution().transient() && cloud.db().time().writeTime();
+    counters_.report(Info, cloud.outputProperties(), true, store);
+    if (store)
+    {
+        writtenState::addParcels(cloud.mesh(), cloud.name(), cloud.size());
+    }
 }
 
 
@@ -308,6 +309,8 @@ Foam::ParcelWallModel<CloudType>::ParcelWallModel
     };
     valid.append(entries);
     refuseOthers(this->coeffDict(), valid);
+    getWord(this->coeffDict(), "type", {this->modelType()});
+    getWord(this->coeffDict(), "U", {owner.U().name()});
 
     forAll(fates_, i)
     {
@@ -365,6 +368,7 @@ Foam::ParcelWallModel<CloudType>::ParcelWallModel
         startReport();
     }
     compareWithLastRun();
+    writtenState::checkParcels(owner.mesh(), owner.name(), owner.size());
 }
 
 
@@ -404,4 +408,11 @@ void Foam::ParcelWallModel<CloudType>::info(FOAM_COMPAT_INFO_ARGS)
         false,
         this->writeTime()
     );
+    if (this->writeTime())
+    {
+        writtenState::addParcels
+        (
+            this->owner().mesh(), this->owner().name(), this->owner().size()
+        );
+    }
 }

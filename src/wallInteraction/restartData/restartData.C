@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "restartData.H"
+#include "writtenState.H"
 #include "checked.H"
 #include "Pstream.H"
 #include "Time.H"
@@ -34,6 +35,8 @@ Foam::restartData::restartData
             IOobject::AUTO_WRITE
         )
     ),
+    cloudName_(cloudName),
+    mesh_(mesh),
     found_(false),
     timeIndex_(-1),
     labels_(),
@@ -54,6 +57,10 @@ Foam::restartData::restartData
         clear();
         Info<< functionName << ": averages of an earlier part of the run are"
             << " left behind (restart anew)" << endl;
+    }
+    if (Pstream::master() && !here && !anew)
+    {
+        writtenState::check(mesh, cloudName, name());
     }
     found_ = here && !anew;
     Pstream::scatter(found_);
@@ -77,6 +84,7 @@ void Foam::restartData::set(labelList&& labels, scalarList&& scalars)
         scalars_.transfer(scalars);
     }
     timeIndex_ = time().timeIndex();
+    writtenState::add(mesh_, cloudName_, name());
 }
 
 

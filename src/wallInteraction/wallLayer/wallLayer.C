@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "wallLayer.H"
+#include "writtenState.H"
 #include "ListOps.H"
 #include "PstreamReduceOps.H"
 #include "calculatedFvPatchField.H"
@@ -99,6 +100,7 @@ void Foam::wallLayer::read(const dictionary& dict)
     };
     if (!present(fieldName(0, 0)))
     {
+        writtenState::check(mesh_, cloudName_, fieldName(0, 0));
         return;
     }
     List<layer::sums> sums(areas_.size()*state_.nClasses(), layer::sums{});
@@ -110,6 +112,7 @@ void Foam::wallLayer::read(const dictionary& dict)
             fits = present(fieldName(k, i));
             if (!fits)
             {
+                writtenState::check(mesh_, cloudName_, fieldName(k, i));
                 break;
             }
             const volScalarField field
@@ -433,6 +436,7 @@ void Foam::wallLayer::write() const
                 values[facei] = state_.of(facei, k)[i];
             }
             writeField(fieldName(k, i), quantityDimensions[i], values);
+            writtenState::add(mesh_, cloudName_, fieldName(k, i));
             if (i == layer::number)
             {
                 number += values;
