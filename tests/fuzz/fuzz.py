@@ -211,7 +211,9 @@ def annotated_subjects(asked):
         with open(f"{case}/{s.file}") as file:
             texts = {s.file: file.read()}
         yield Subject(s.name, case, ".", s.command,
-                      {s.file: tutorials.everything}, texts, s.free, s.stock)
+                      {s.file: tutorials.chooser(s.file, s.command[0],
+                                                 texts[s.file])},
+                      texts, s.free, s.stock)
 
 
 def main():

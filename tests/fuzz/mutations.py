@@ -101,14 +101,21 @@ def mutations(text, chosen=lambda entry: True):
         value = text[e.valueStart:e.end - 1]
         if "{" in value or '"' in value:
             continue
-        number = NUMBER.search(bare(value))
-        for new in VALUES if number else ("word",):
-            changed = (value[:number.start()] + new + value[number.end():]
-                       if number else new)
-            yield (f"{new} {where}", e,
-                   text[:e.valueStart] + changed + text[e.end - 1:])
+        numbers = list(NUMBER.finditer(bare(value)))
+        # The first number, the last and the one between them
+        places = sorted({0, len(numbers)//2, len(numbers) - 1})
+        for k in places if numbers else ():
+            at = numbers[k]
+            which = f" number {k + 1} of" if k else ""
+            for new in VALUES:
+                yield (f"{new}{which} {where}", e, text[:e.valueStart]
+                       + value[:at.start()] + new + value[at.end():]
+                       + text[e.end - 1:])
+        if not numbers:
+            yield (f"word {where}", e,
+                   text[:e.valueStart] + "word" + text[e.end - 1:])
         yield (f"type {where}", e, text[:e.valueStart]
-               + WRONG_TYPE[bool(number) and "(" not in value]
+               + WRONG_TYPE[bool(numbers) and "(" not in value]
                + text[e.end - 1:])
 
 

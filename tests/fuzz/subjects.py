@@ -123,17 +123,25 @@ def cloud_text(wall, *others):
     return text
 
 
-def cloud(wall, *others):
+def cloud(wall, *others, pairs=(), name=None, forces=True):
+    """pairs: changes of the text; forces: are they the stock's?"""
     def build(case):
         gas_case(case, {"mode": "frozen"}, 3)
         write_foam(case, "constant/parcelClouds", "clouds (dust);")
         write_foam(case, "constant/dustProperties",
-                   cloud_text(wall, *others))
-    return Subject("-".join((wall,) + others), "constant/dustProperties",
-                   build, ["rhoCentralParcelFoam"],
+                   change(cloud_text(wall, *others), *pairs))
+    return Subject(name or "-".join((wall,) + others),
+                   "constant/dustProperties", build, ["rhoCentralParcelFoam"],
                    free=("cloudFunctions", "injectionModels"),
-                   stock=("interpolationSchemes", "integrationSchemes",
-                          "particleForces"))
+                   stock=("interpolationSchemes", "integrationSchemes")
+                   + (("particleForces",) if forces else ()))
+
+
+def drag(name):
+    """The drag law alone, whose entries are ours."""
+    return cloud("hardSphereWall", name, "rakeInjection", name=name,
+                 pairs=((r"sphereDrag; hendersonDrag; magnus;", "magnus;"),),
+                 forces=False)
 
 
 def clouds(case):
@@ -173,6 +181,8 @@ SUBJECTS = [
     cloud("semiEmpiricalRebound", "crossSectionInjection"),
     cloud("nonSphericalRebound", "surfaceImpact", "rakeInjection"),
     cloud("jkrAdhesion", "impactRecords", "dispersedPhase", "rakeInjection"),
+    *(drag(f"{law}Drag") for law in ("henderson", "loth", "singh",
+                                     "haiderLevenspiel", "holzerSommerfeld")),
     Subject("parcelClouds", "constant/parcelClouds", clouds,
             ["rhoCentralParcelFoam"]),
     rarefied("dsmcProperties"), rarefied("solidParticleProperties"),

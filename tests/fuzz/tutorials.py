@@ -108,7 +108,7 @@ def everything(entry):
 def chooser(path, program, text):
     """Which entries of a dictionary are ours."""
     if path.endswith("fvSolution"):
-        return lambda e: "highSpeedGas" in e.path
+        return lambda e: "highSpeedGas" in e.path + (e.key,)
     if program != STOCK_SOLVER:
         return everything
     types = {}
