@@ -3,6 +3,7 @@
 import os
 import re
 import shutil
+import signal
 import subprocess
 import time
 
@@ -34,10 +35,23 @@ def marked(case, name, mark):
     return os.path.exists(os.path.join(case, name, "uniform", mark))
 
 
-def unfinished(case):
-    """What the solver has begun to write and not marked complete: a kill may
-    come between making a directory and its first mark."""
-    return [t for t in times_of(case)[1:] if not marked(case, t, "complete")]
+def parts(case, ranks):
+    return ([case] if ranks == 1
+            else [f"{case}/processor{rank}" for rank in range(ranks)])
+
+
+def written(case, ranks=1):
+    """Times that any rank has begun to write."""
+    return sorted({t for part in parts(case, ranks) for t in times_of(part)},
+                  key=float)
+
+
+def unfinished(case, ranks=1):
+    """What the solver has begun to write and not marked complete on all ranks:
+    a kill may come between making a directory and its first mark."""
+    return [t for t in written(case, ranks)[1:]
+            if not all(marked(part, t, "complete")
+                       for part in parts(case, ranks))]
 
 
 def first_time(text):
@@ -76,54 +90,97 @@ verdict("marks", all(marked("straight", t, "complete")
                      for t in all_times[1:]),
         "every directory of a finished run is marked complete")
 
-# Killed as soon as a chosen directory is marked, plus nothing, 1, 2 .. 5 ms:
-# inside a write or between two. What a kill before the mark leaves is made by
-# hand below.
+def process_of_rank(launcher, rank):
+    """A rank's process below mpirun."""
+    for entry in filter(str.isdigit, os.listdir("/proc")):
+        try:
+            with open(f"/proc/{entry}/stat") as file:
+                parent = file.read().rsplit(")", 1)[1].split()[1]
+            with open(f"/proc/{entry}/environ", "rb") as file:
+                mine = (b"OMPI_COMM_WORLD_RANK=%d\0" % rank) in file.read()
+        except OSError:
+            continue
+        if int(parent) == launcher and mine:
+            return int(entry)
+    return None
+
+
+def killed_again_and_again(case, kills, ranks=1):
+    """Killed as soon as a chosen directory is marked, plus nothing, 1, 2 .. 5
+    ms: inside a write or between two. What a kill before the mark leaves is
+    made by hand below. On ranks, one of them is killed, each in its turn."""
+    suffix = "" if ranks == 1 else f"_{ranks}ranks"
+    command = ["rhoCentralParcelFoam"]
+    if ranks > 1:
+        command = ["mpirun", "--oversubscribe", "-np", str(ranks), *command,
+                   "-parallel"]
+    hits = 0
+    for kill in range(kills):
+        rank = kill % ranks
+        before = written(case, ranks)
+        latest = before[-1]
+        wanted = all_times[min(all_times.index(latest) + 5,
+                               len(all_times) - 1)]
+        stopped = unfinished(case, ranks)
+        log = open(f"{case}/log.{kill}", "w")
+        process = subprocess.Popen(command, cwd=case, stdout=log,
+                                   stderr=subprocess.STDOUT)
+        until = time.time() + 60
+        while (process.poll() is None and time.time() < until
+               and not any(marked(parts(case, ranks)[rank], wanted, mark)
+                           for mark in ("incomplete", "complete"))):
+            pass
+        time.sleep(1e-3*kill)
+        victim = (process.pid if ranks == 1
+                  else process_of_rank(process.pid, rank))
+        if victim:
+            os.kill(victim, signal.SIGKILL)
+        process.wait()
+        with open(log.name) as file:
+            text = file.read()
+        killed = process.returncode == (-9 if ranks == 1 else 137)
+        complete = [t for t in before if t not in stopped]
+        expected = (latest, complete[-1]) if latest in stopped else None
+        hits += latest in stopped
+        good = (killed and skips(text) == expected and "FOAM FATAL" not in text
+                and first_time(text)
+                == all_times[all_times.index(complete[-1]) + 1])
+        verdict(f"kill_{kill}{suffix}", good,
+                f"started from {complete[-1]}, skipped"
+                f" {expected[0] if expected else 'nothing'}" if good else
+                f"ended with {process.returncode}; skipped {skips(text)},"
+                f" expected {expected}; first time {first_time(text)};"
+                f" {complaint(text)}")
+    latest = written(case, ranks)[-1]
+    hits += latest in unfinished(case, ranks)
+    status, text = run(case, *command)
+    left = unfinished(case, ranks)
+    verdict("afterKills" + suffix, status == 0 and not left,
+            (complaint(text) if status else
+             f"{hits} of {kills} kills have hit a write; still marked"
+             f" unfinished: " + (", ".join(left) or "nothing")))
+    verdict("sameTimes" + suffix, written(case, ranks) == all_times,
+            "directories in only one of killed and straight run: "
+            + (", ".join(sorted(set(written(case, ranks)) ^ set(all_times)))
+               or "none"))
+
+
 tube("killed")
-hits = 0
-for kill in range(6):
-    before = times_of("killed")
-    latest = before[-1]
-    wanted = all_times[min(all_times.index(latest) + 5, len(all_times) - 1)]
-    stopped = unfinished("killed")
-    log = open(f"killed/log.{kill}", "w")
-    process = subprocess.Popen(["rhoCentralParcelFoam"], cwd="killed",
-                               stdout=log, stderr=subprocess.STDOUT)
-    until = time.time() + 60
-    while (process.poll() is None and time.time() < until
-           and not any(marked("killed", wanted, mark)
-                       for mark in ("incomplete", "complete"))):
-        pass
-    time.sleep(1e-3*kill)
-    process.kill()
-    process.wait()
-    with open(log.name) as file:
-        text = file.read()
-    killed = process.returncode == -9
-    complete = [t for t in before if t not in stopped]
-    expected = (latest, complete[-1]) if latest in stopped else None
-    hits += latest in stopped
-    good = (killed and skips(text) == expected and "FOAM FATAL" not in text
-            and first_time(text)
-            == all_times[all_times.index(complete[-1]) + 1])
-    verdict(f"kill_{kill}", good,
-            f"started from {complete[-1]}, skipped"
-            f" {expected[0] if expected else 'nothing'}" if good else
-            f"killed: {killed}; skipped {skips(text)}, expected {expected};"
-            f" first time {first_time(text)}; {complaint(text)}")
-latest = times_of("killed")[-1]
-hits += latest in unfinished("killed")
-status, text = run("killed", "rhoCentralParcelFoam")
-left = unfinished("killed")
-verdict("afterKills", status == 0 and not left,
-        (complaint(text) if status else
-         f"{hits} of 6 kills have hit a write; still marked unfinished: "
-         + (", ".join(left) or "nothing")))
-verdict("sameTimes", times_of("killed") == all_times,
-        "directories in only one of killed and straight run: "
-        + (", ".join(sorted(set(times_of("killed")) ^ set(all_times)))
-           or "none"))
+killed_again_and_again("killed", 6)
 agrees("killed", "killedRunSame")
+
+# The same on two ranks, of which one is killed
+tube("straight2")
+decompose("straight2")
+copy_case("straight2", "killed2")
+solve("straight2", 2)
+killed_again_and_again("killed2", 4, 2)
+bad = [f"{part}: {name}"
+       for rank in (0, 1) for part in [f"processor{rank}"]
+       for name in same_bits(f"straight2/{part}", f"killed2/{part}",
+                             all_times[-1])]
+verdict("killedRunSame_2ranks", not bad, "not the same to the last bit as the"
+        " straight run: " + (", ".join(bad) or "nothing"))
 
 
 # ------------------------------------------- directories made up by this test
