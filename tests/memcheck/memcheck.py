@@ -1,0 +1,35 @@
+"""Rows of memcheck: stands in an empty folder."""
+
+import os
+import re
+import subprocess
+import sys
+
+from subjects import SUBJECTS
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+MEMCHECK = ["valgrind", "-q", "--leak-check=full", "--num-callers=25",
+            "--show-leak-kinds=definite", "--errors-for-leak-kinds=definite",
+            "--error-exitcode=99", f"--suppressions={HERE}/stock.supp",
+            "--log-file=log.memcheck"]
+
+# Valgrind reports what a trap of floating-point errors would end
+ENVIRONMENT = {**os.environ, "FOAM_SIGFPE": "false"}
+
+failed = False
+for subject in SUBJECTS:
+    if len(sys.argv) > 1 and subject.name not in sys.argv[1:]:
+        continue
+    subject.build(subject.name)
+    status = subprocess.run(MEMCHECK + subject.command, cwd=subject.name,
+                            stdout=subprocess.DEVNULL, env=ENVIRONMENT,
+                            stderr=subprocess.STDOUT).returncode
+    with open(f"{subject.name}/log.memcheck") as file:
+        text = file.read()
+    found = re.findall(r"==\d+== (\S.*)\n==\d+==    at ", text)
+    print(text, file=sys.stderr, end="")
+    failed = failed or status != 0
+    print(f"{subject.command[0]}, {subject.name} | no error and no block lost,"
+          f" but for those of the stock | exit status {status},"
+          f" {len(found)} reports | {'FAILED' if status else 'ok'}", flush=True)
+sys.exit(failed)
