@@ -2,7 +2,9 @@
 
 import os
 import re
+import shutil
 
+from bluntBody import prepare
 from caseTools import must, write_block, box, write_case, write_field, \
     write_foam
 from dsmcTools import write_gas
@@ -80,6 +82,12 @@ def gas(mode):
         write_foam(case, "system/fvSolution", change(body, *pairs))
     return Subject(f"highSpeedGas-{mode}", "system/fvSolution", build,
                    ["rhoCentralParcelFoam"])
+
+
+def blunt_body(case):
+    prepare(case, "half", (12, 6), 4, 6, {"residual": 1e-3})
+    shutil.copy(f"{ROOT}/etc/caseDicts/annotated/alignMeshToShockDict",
+                f"{case}/system")
 
 
 BASE = """
@@ -176,6 +184,8 @@ SUBJECTS = [
     utility("jkrImpact"),
     utility("freeMolecularPlume", (r"nParticles\s+[^;]+", "nParticles 50")),
     gas("steady"), gas("transient"),
+    Subject("alignMeshToShock", "system/alignMeshToShockDict", blunt_body,
+            ["alignMeshToShock"]),
     cloud("hardSphereWall", "spinningKinematicCloud", "rakeInjection"),
     cloud("hardSphereWall", "eventDrivenCollisions", "rakeInjection"),
     cloud("semiEmpiricalRebound", "crossSectionInjection"),

@@ -10,7 +10,7 @@ import numpy as np
 from bluntBody import CP, P, RADIUS, SOUND, T, pitot, prepare
 from caseTools import (GAMMA, complaint, copy_case, decompose,
                        last_fields, must, read_field, run, solve, times_of,
-                       verdict, write_foam)
+                       verdict, write_field, write_foam)
 
 ROOT = os.environ["PARCEL_IMPACT_DIR"]
 
@@ -107,6 +107,35 @@ solve(case, 2)
 must(case, "reconstructPar", "-latestTime")
 apart = np.abs(last_fields(case)[0]/last_fields("half_6")[0] - 1).max()
 verdict("ranks", apart < 1e-5, f"pressures differ by {apart:.1e}")
+
+# A whole body at an incidence, of which the mesh knows nothing: the half body,
+# turned
+case, turn = "incidence", np.radians(20)
+prepare(case, "whole", (40, 120), 4, 6)
+write_field(case, "U", (6*SOUND*np.cos(turn), 6*SOUND*np.sin(turn), 0),
+            {"body": "type slip;", "axis": "type zeroGradient;",
+             "inlet": "type fixedValue; value $internalField;",
+             "outlet": "type zeroGradient;", "front": "type empty;",
+             "back": "type empty;"})
+align(case)
+solve(case)
+must(case, "postProcess", "-func", "writeCellCentres", "-latestTime")
+C = read_field(f"{case}/{times_of(case)[-1]}/C").reshape(120, 40, 3)
+p = last_fields(case, "p")[0].reshape(120, 40)
+r = np.hypot(C[..., 0], C[..., 1])/RADIUS - 1
+angle = np.arctan2(C[..., 1], -C[..., 0])[:, 0] + turn
+mean = 0.5*P*(2 + 2*GAMMA/(GAMMA + 1)*35)
+near = np.argsort(np.abs(angle))[:9]
+stand = []
+for j in near:
+    i = np.where(p[j] > mean)[0].max()
+    stand.append(r[j, i] + (p[j, i] - mean)/(p[j, i] - p[j, i + 1])
+                 * (r[j, i + 1] - r[j, i]))
+fit = np.polyfit(angle[near], stand, 2)
+place = np.degrees(-0.5*fit[1]/fit[0])
+verdict(case + "_standoff", abs(fit[2] - 0.44659) < 1e-3 and abs(place) < 0.2,
+        f"{fit[2]:.5f} of the radius, exact 0.44659, least at {place:+.3f} "
+        "degrees from the stream's direction")
 
 # A mesh that follows the shock is left as it is, nearly
 case = copy_case("half_6", "again")
