@@ -6,6 +6,7 @@
 #include "checked.H"
 #include "forceSuSp.H"
 #include "meshTools.H"
+#include "wedgePolyPatch.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -211,6 +212,57 @@ bool Foam::SpinningParcel<ParcelType>::hitPatch
             omega_ = Zero;
         }
         return done;
+    }
+}
+
+
+template<class ParcelType>
+template<class TrackCloudType>
+void Foam::SpinningParcel<ParcelType>::hitWedgePatch
+(
+    TrackCloudType& cloud,
+    trackingData&
+)
+{
+    if (!cloud.embeddedMotion())
+    {
+        // It draws parcels back to the middle plane in each sub-step
+        FatalErrorInFunction
+            << "A spinning parcel meets the axis or a plane of a wedge at "
+            << this->position() << ", which motion stock does not pass"
+            << " rightly. Use motion embeddedRK54 in its solution"
+            << exit(FatalError);
+    }
+
+    const polyBoundaryMesh& patches = this->mesh().boundaryMesh();
+    const point x = this->position();
+    const label hit = patches.whichPatch(this->face());
+    const scalar reach =
+        1e-9*sqrt(mag(this->mesh().faceAreas()[this->face()]));
+
+    // Two mirrors at the angle of the smallest wedge that a mesh can have
+    // turn a parcel round in fewer reflections than this
+    bool goesOut = true;
+    for (label i = 0; goesOut && i < 10000; ++i)
+    {
+        goesOut = false;
+        forAll(patches, patchi)
+        {
+            const polyPatch& patch = patches[patchi];
+            if (!isA<wedgePolyPatch>(patch) || patch.empty())
+            {
+                continue;
+            }
+            const vector n = normalised(patch.faceAreas()[0]);
+            const bool at =
+                patchi == hit
+             || mag((x - patch.faceCentres()[0]) & n) < reach;
+            if (at && (this->U() & n) > 0)
+            {
+                this->transformProperties(I - 2*sqr(n));
+                goesOut = true;
+            }
+        }
     }
 }
 

@@ -290,7 +290,12 @@ bool Foam::SpinningParcel<ParcelType>::moveEmbedded
         // again in next to no time: then a tenth of the step passes where it
         // is
         stalls = t < 1e-9*trackTime ? stalls + 1 : 0;
-        hits += bounded;
+        if (bounded)
+        {
+            // Near the axis a wedge is met again and again on a straight way
+            const label patchi = cells.boundary()[-1 - next].patch;
+            hits += !isA<wedgePolyPatch>(mesh.boundaryMesh()[patchi]);
+        }
         if (stalls > 20 || hits > 50)
         {
             stalls = 0;

@@ -1,0 +1,140 @@
+"""Free flight of the spin-carrying cloud through a wedge, past and through its
+axis; stands in a temporary folder."""
+
+import os
+import re
+
+import numpy as np
+
+from caseTools import (complaint, copy_case, edit, must, run, solve, times_of,
+                       verdict, write_case, write_field, write_foam)
+
+CLOUD = """
+type spinningKinematicCloud;
+solution
+{
+    active yes; coupled no; transient yes; cellValueSourceCorrection off;
+    maxCo 0.3;
+    MOTION
+    interpolationSchemes
+    { rho SCHEME; U SCHEME; T SCHEME; thermo:mu SCHEME; }
+    integrationSchemes { U Euler; }
+}
+constantProperties { rho0 2500; omega0 (3e4 -4e4 5e4); }
+subModels
+{
+    particleForces {}
+    rotationalTorqueModel none;
+    injectionModels
+    {
+        rake
+        {
+            type rakeInjection; start START; end END; nParcels 40;
+            diameter 1e-5; U0 VELOCITY;
+        }
+    }
+    patchInteractionModel standardWallInteraction;
+    standardWallInteractionCoeffs { type escape; }
+    dispersionModel none; stochasticCollisionModel none;
+    surfaceFilmModel none;
+}
+cloudFunctions {}
+"""
+N = 40
+END = 8e-5
+START, LAST = np.array([0.01, 0.004, 0]), np.array([0.03, 0.03, 0])
+EMBEDDED = "motion { type embeddedRK54; tolerance 1e-6; }"
+CLOUDS = {"linear": (EMBEDDED, "cellLinear", (300, -600, 100)),
+          "point": (EMBEDDED, "cellPoint", (300, -600, 100)),
+          "linearThrough": (EMBEDDED, "cellLinear", (300, -600, 0)),
+          "pointThrough": (EMBEDDED, "cellPoint", (300, -600, 0))}
+
+
+def vector(x):
+    return "(" + " ".join(repr(float(v)) for v in x) + ")"
+
+
+case = "wedge"
+write_case(case, {"endTime": END, "deltaT": END/8, "writeInterval": END,
+                  "writeFormat": "ascii", "writePrecision": 16,
+                  "libs": "(spinningParcel parcelInjection)"},
+           {"mode": "frozen"})
+c, s = 0.1*np.cos(np.radians(2.3)), 0.1*np.sin(np.radians(2.3))
+sides = {"xMin": "(0 3 5 0)", "xMax": "(1 2 4 1)", "yMax": "(3 5 4 2)",
+         "zMin": "(0 1 2 3)", "zMax": "(0 1 4 5)"}
+kinds = {side: "wedge" if side[0] == "z" else "patch" for side in sides}
+write_foam(
+    case, "system/blockMeshDict",
+    f"vertices ((0 0 0) (0.1 0 0) (0.1 {c!r} {-s!r}) (0 {c!r} {-s!r})"
+    f" (0.1 {c!r} {s!r}) (0 {c!r} {s!r}));\n"
+    "blocks (hex (0 1 2 3 0 1 4 5) (20 20 1) simpleGrading (1 1 1));\n"
+    "edges ();\nboundary (\n" + "\n".join(
+        f"{side} {{ type {kinds[side]}; faces ({face}); }}"
+        for side, face in sides.items()) + "\n);")
+must(case, "blockMesh")
+fields = {side: "type wedge;" if side[0] == "z" else "type zeroGradient;"
+          for side in sides}
+write_field(case, "p", 3e4, fields)
+write_field(case, "T", 250.0, fields)
+write_field(case, "U", (0.0, 0.0, 0.0), fields)
+for name, (motion, scheme, velocity) in CLOUDS.items():
+    text = CLOUD
+    for key, value in (("MOTION", motion), ("SCHEME", scheme),
+                       ("START", vector(START)), ("END", vector(LAST)),
+                       ("VELOCITY", vector(velocity))):
+        text = text.replace(key, value)
+    write_foam(case, f"constant/{name}Properties", text)
+write_foam(case, "constant/parcelClouds", f"clouds ({' '.join(CLOUDS)});")
+stock = copy_case(case, "wedgeStock")
+log = solve(case)
+rested = sum(int(n) for n in re.findall(
+    r"cut, uncontrolled, at rest *= *\d+, \d+, (\d+)", log))
+
+
+def rows(cloud, name, width):
+    """Numbers of a field in an ASCII file, one row per parcel."""
+    with open(os.path.join(case, times_of(case)[-1], "lagrangian", cloud,
+                           name)) as file:
+        text = file.read()
+    if "{" in text.split("// * *", 1)[1]:
+        n, value = re.search(r"\n(\d+)\{(.*)\}", text).groups()
+        return np.tile(np.array(value.strip("()").split(), float),
+                       (int(n), 1))
+    body = re.search(r"\n\d+\s*\((.*)\)", text, re.S).group(1)
+    return np.array(re.sub("[()]", " ", body).split(), float).reshape(
+        -1, width)
+
+
+def of_axis(x, u, spin):
+    return np.column_stack([
+        x[:, 0]/0.1, np.hypot(x[:, 1], x[:, 2])/0.1, u[:, 0]/600,
+        (x[:, 1]*u[:, 1] + x[:, 2]*u[:, 2])/60,
+        np.abs(x[:, 1]*u[:, 2] - x[:, 2]*u[:, 1])/60,
+        np.abs(spin[:, 0])/3e4, np.linalg.norm(spin, axis=1)/3e4])
+
+
+identities = np.arange(40)
+for name, (_, _, velocity) in CLOUDS.items():
+    order = np.argsort(rows(name, "origId", 1)[:, 0])
+    n = len(order)
+    if n != 40:
+        verdict(f"wedge_{name}", False, f"{n} parcels of 40")
+        continue
+    x = rows(name, "positions", 4)[order, :3]
+    u, spin = rows(name, "U", 3)[order], rows(name, "omega", 3)[order]
+    u0 = np.tile(np.array(velocity, float), (40, 1))
+    there = (START + (LAST - START)*identities[:, None]/39 + END*u0)
+    exact = of_axis(there, u0, np.tile([3e4, -4e4, 5e4], (40, 1)))
+    error = np.abs(of_axis(x, u, spin) - exact).max()
+    past = np.count_nonzero(there[:, 1] < 0)
+    verdict(f"wedge_{name}", error < 1e-9 and past > 10,
+            f"largest error {error:.1e}, {past} parcels went past the axis,"
+            f" {rested} rests")
+
+write_foam(stock, "constant/parcelClouds", "clouds (linearThrough);")
+edit(stock, "constant/linearThroughProperties", EMBEDDED, "motion stock;")
+status, text = run(stock, "rhoCentralParcelFoam")
+said = complaint(text)
+verdict("wedge_refuses_stock_motion",
+        status != 0 and "wedge" in said and "embeddedRK54" in said,
+        f"exit status {status}: {said}")
