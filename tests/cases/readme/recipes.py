@@ -1,0 +1,200 @@
+"""The recipes of README.md as a user takes them: each fenced block that begins
+with // and a file name becomes that file, the others are run by bash. The cases
+that README.md names as the user's own are stock tutorials. Stands in a
+temporary folder; README.md is the argument."""
+
+import csv
+import glob
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+import numpy as np
+
+from caseTools import must, verdict
+
+PLACES = ("/usr/share/doc/openfoam-examples/examples",
+          os.environ.get("FOAM_TUTORIALS", ""))
+
+
+def recipes(text):
+    """Of each recipe its blocks (language, text), in order."""
+    text = text[text.index("\n## Recipes"):text.index("\n## What is there")]
+    return [re.findall(r"^```(\S+)\n(.*?)^```$", part, re.M | re.S)
+            for part in text.split("\n### ")[1:]]
+
+
+def follow(case, blocks):
+    """The folder in which the blocks end, and what they print."""
+    printed = ""
+    at = os.path.abspath(".folder")
+    for language, text in blocks:
+        if language == "sh":
+            done = subprocess.run(
+                ["bash", "-ec", text + '\npwd > "$0"', at], cwd=case,
+                stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+            printed += done.stdout
+            if done.returncode:
+                logs = sorted(glob.glob(os.path.join(case, "**", "log.*"),
+                                        recursive=True), key=os.path.getmtime)
+                if logs:
+                    with open(logs[-1]) as file:
+                        printed += file.read()[-2000:]
+                raise RuntimeError(" ".join(printed[-2000:].split()))
+            with open(at) as file:
+                case = file.read().strip()
+        else:
+            name, text = re.match(r"// (\S+)\n(.*)", text, re.S).groups()
+            with open(os.path.join(case, name), "w") as file:
+                file.write(text)
+    return case, printed
+
+
+def stock(path, name):
+    """A meshed copy of a stock tutorial; its files may be compressed."""
+    for root in filter(None, PLACES):
+        for sub in (path, os.path.join("tutorials", path)):
+            if os.path.isdir(os.path.join(root, sub)):
+                shutil.copytree(os.path.join(root, sub), name)
+                must(".", "chmod", "-R", "u+w", name)
+                for zipped in glob.glob(os.path.join(name, "**", "*.gz"),
+                                        recursive=True):
+                    must(".", "gunzip", "-f", zipped)
+                must(name, "blockMesh")
+                return os.path.abspath(name)
+    raise RuntimeError(f"no tutorial {path} in {' or '.join(PLACES)}: install"
+                       " Debian's openfoam-examples, or set FOAM_TUTORIALS")
+
+
+def entries(case, file, **values):
+    for name, value in values.items():
+        must(case, "foamDictionary", file, "-entry", name.replace("__", "/"),
+             "-set", value)
+
+
+def air(case):
+    """The wedge's normalised gas becomes air of 300 K, as a user has it."""
+    for name, old, new in (("U", "(5 0 0)", "(1736 0 0)"),
+                           ("T", "uniform 1;", "uniform 300;"),
+                           ("p", "uniform 1;", "uniform 1e4;")):
+        path = os.path.join(case, "0", name)
+        with open(path) as file:
+            text = file.read()
+        with open(path, "w") as file:
+            file.write(text.replace(old, new))
+    entries(case, "constant/thermophysicalProperties",
+            mixture__specie__molWeight="28.96",
+            mixture__thermodynamics__Cp="1004.5",
+            mixture__transport__mu="1.8e-5", mixture__transport__Pr="0.71")
+
+
+def table(case, name):
+    """The only row of the last table by patches."""
+    path = max(glob.glob(os.path.join(case, "postProcessing", name, "*", "*",
+                                      "byPatch.csv")), key=os.path.getmtime)
+    with open(path) as file:
+        row, = csv.DictReader(file)
+    return {key: float(value) for key, value in row.items()
+            if key != "patch" and value}
+
+
+def error(row, result):
+    return row[result + "Error"]/row[result]
+
+
+def check(name, what):
+    """WHAT gives a verdict and what it rests on, or the recipe does not run."""
+    try:
+        good, reason = what()
+    except RuntimeError as failure:
+        good, reason = False, str(failure)
+    verdict(name, good, reason)
+
+
+def at_target(printed, row, result):
+    """Whether a run has ended at the error it was to end at."""
+    good = ("the target is met" in printed and row["nImpacts"] > 100
+            and error(row, result) <= 0.0505)
+    return good, (f"{row['nImpacts']:.0f} impacts, error of {result}"
+                  f" {100*error(row, result):.2f} %" if good
+                  else "it ends with: " + " ".join(printed.split()))
+
+
+def main():
+    with open(sys.argv[1]) as file:
+        erosion, dust, scattering = recipes(file.read())
+    unsteady = erosion.pop()
+    cases = {}
+
+    def erosion_map():
+        gas = stock("incompressible/simpleFoam/pitzDaily", "pitzDaily")
+        must(gas, "simpleFoam")
+        cases["sand"], printed = follow(gas, erosion)
+        row = table(cases["sand"], "wear")
+        good, reason = at_target(printed, row, "erosionRate")
+        said = re.search(r"^upperWall: (\d+) impacts, error (\S+) %, (\S+)"
+                         r" mm/year, (\S+) mm3/kg$", printed, re.M)
+        if not good or not said:
+            return False, reason
+        impacts, percent, depth, ratio = map(float, said.groups())
+        year = 365.25*24*3600
+        good = (impacts == row["nImpacts"]
+                and abs(percent - 100*error(row, "erosionRate")) < 0.06
+                and abs(row["erosionRate"]*year/(depth*1e-3) - 1) < 5e-3
+                and abs(row["erosionRate"]/(row["massFlux"]*ratio*1e-9) - 1)
+                < 5e-3)
+        return good, f"{said.group(0)}; {reason}"
+
+    def erosion_unsteady():
+        gas = stock("incompressible/pimpleFoam/RAS/pitzDaily", "unsteady")
+        for name in ("g", "wallModel", "kinematicCloudProperties"):
+            shutil.copy(os.path.join(cases["sand"], "constant", name),
+                        os.path.join(gas, "constant"))
+        # Long enough for the sand to enter
+        entries(gas, "system/controlDict", endTime="2e-3", maxCo="20")
+        follow(gas, [unsteady])
+        with open(os.path.join(gas, "log.pimpleFoam")) as file:
+            log = file.read()
+        rate, = re.findall(r"(\S+) parcels/s enter", log)
+        added = re.findall(r"parcels added += (\d+)", log)[-1]
+        # A parcel appears at the beginning of the step after its entry
+        expected = float(rate)*float(re.findall(r"(?m)^Time = (.*)", log)[-2])
+        return (abs(int(added) - expected) < 2 and expected > 20,
+                f"{added} parcels, {expected:.1f} are to enter")
+
+    def dust_cloud():
+        gas = stock("compressible/rhoCentralFoam/wedge15Ma5", "wedge15Ma5")
+        air(gas)
+        case, printed = follow(gas, dust)
+        row = table(case, "impacts")
+        good, reason = at_target(printed, row, "intensity")
+        last = os.path.join(case, must(case, "foamListTimes",
+                                       "-latestTime").split()[-1])
+        missing = [f for f in ("dust:dust:concentration",
+                               "dust:impacts:intensity")
+                   if not os.path.isfile(os.path.join(last, f))]
+        return good and not missing, f"{reason}; not written: {missing}"
+
+    def scattering_table():
+        smooth = table(cases["sand"], "wear")
+        case, printed = follow(cases["sand"], scattering)
+        rough = table(case, "wear")
+        good, reason = at_target(printed, rough, "erosionRate")
+        # The same sand on its first way to the wall
+        differ = abs(rough["massFlux"]/smooth["massFlux"] - 1)
+        allowed = 4*np.hypot(error(rough, "massFlux"),
+                             error(smooth, "massFlux"))
+        return good and differ < allowed, (
+            f"{reason}; mass flux differs by {100*differ:.1f} % from that on"
+            f" the smooth wall, allowed {100*allowed:.1f} %")
+
+    check("recipeErosionMap", erosion_map)
+    check("recipeErosionUnsteady", erosion_unsteady)
+    check("recipeDust", dust_cloud)
+    check("recipeScatteringTable", scattering_table)
+
+
+if __name__ == "__main__":
+    main()
