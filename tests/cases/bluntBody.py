@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Meshes and cases of spheres and cylinders in supersonic flow, on uniform
 cells between the body and a concentric circle."""
 

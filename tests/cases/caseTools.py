@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """What the case tests share: write a case, run it, read its fields."""
 
 import os

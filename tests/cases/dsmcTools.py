@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Cases of dsmcParcelFoam, and what it writes."""
 
 import os

@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Exact solution of the Riemann problem of a calorically perfect gas."""
 
 import numpy as np

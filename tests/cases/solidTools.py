@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Cases of dsmcParcelFoam with solid particles, and what it writes of them."""
 
 import os

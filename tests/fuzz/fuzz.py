@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Mistakes in dictionaries: fuzz.py [--sample N] [--tests] [--tutorials]
 [--jobs N] [SUBJECT...]
 

@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Entries of a dictionary file, found in its text, and what may be done to
 them by mistake."""
 

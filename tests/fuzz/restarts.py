@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Damage to the files that a run starts from: restarts.py [--tests]
 
 Stands in an empty folder. Each file of the start directory is removed, cut to

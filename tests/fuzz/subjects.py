@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Small cases, each with a dictionary of ours that runs as it is annotated."""
 
 import os

@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """The cases of the tutorials as they are before our programs run, and the
 dictionaries of ours in them."""
 

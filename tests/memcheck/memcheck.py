@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Rows of memcheck: stands in an empty folder."""
 
 import os

@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Reading of the results of scatteringIndicatrix, and checks on them."""
 import csv
 import sys

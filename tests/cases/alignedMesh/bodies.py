@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """The layers around bodies follow the bow shock, from uniform cells between
 the body and a concentric circle, and nothing known of the shock."""
 

@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Table of bad edits; stands in a folder with the prepared case 'good'."""
 
 import math

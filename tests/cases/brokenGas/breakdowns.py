@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """A shock tube into which something impossible is brought: in the fields it
 starts from, or by a boundary condition halfway."""
 

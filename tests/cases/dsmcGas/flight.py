@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Molecules that do not collide, against their exact positions: through a
 regular mesh, one with warped and concave cells, one shared by two ranks, and a
 flat one; cyclic in x, between specular walls in y and symmetry planes (or

@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """The gas against kinetic theory, restarts, ranks and the function objects of
 the stock solver. Every tolerance is at least four standard deviations."""
 

@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Particles that leave for a far field: as many as enter, all on the surface;
 continued from half-way and on two ranks the same; read by the utility. And the
 refusal of bad entries."""

@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Bad edits: each must be refused before the first time step with a message
 that names the file, the entry, its value and what would be valid."""
 

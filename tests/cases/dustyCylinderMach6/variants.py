@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Gas on one and two ranks, restarted and frozen, and rakes on two ranks.
 Stands in a folder that holds the finished quick run 'chain' and its gas
 prepared for a run in 'gas1' and 'gas2'."""

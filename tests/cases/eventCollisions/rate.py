@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Rate of the elastic collisions of a gas of parcels in a periodic box against
 Enskog's (physics of dense gases: Carnahan & Starling in three dimensions,
 Henderson in two); stands in a temporary folder."""

@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Collisions of the spin-carrying cloud: two streams of different size, drag,
 Magnus force and walls; stands in a temporary folder."""
 

@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Tables and VTK files of one time of freeMolecularPlume: tables.py FOLDER"""
 
 import csv

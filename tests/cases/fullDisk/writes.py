@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Each program writes until a file may grow no further, which is what a full
 disk or a quota does to it: it must end non-zero, name the file and the reason,
 and leave whole what was there before. Stands in an empty folder."""

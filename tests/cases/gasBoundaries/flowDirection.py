@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Conditions that ask whether gas flows in or out: a duct between a reservoir
 (totalPressure, totalTemperature) and a boundary that lets waves leave."""
 

@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """An isentropic vortex carried through a periodic square whose halves are
 joined by cyclicAMI patches, on meshes that match and that do not."""
 

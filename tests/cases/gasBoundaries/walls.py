@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Gas blown through a patch of type wall, and a wall that moves along
 itself."""
 

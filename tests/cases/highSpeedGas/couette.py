@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Compressible Couette flow against its exact solution; stands in a folder of
 its own.
 

@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Laminar layer on an adiabatic flat plate at Mach 2 against the self-similar
 solution of the compressible boundary-layer equations; stands in a folder of
 its own.

@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Starts from the undisturbed stream; stands in a folder with the prepared
 cases 'half' and 'both'."""
 

@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Runs and checks of jkrAdhesion; stands in an empty folder. The motion of a
 contact and its scales are written down here once more."""
 

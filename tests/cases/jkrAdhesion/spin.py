@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """jkrAdhesion on the spin-carrying cloud of rhoCentralParcelFoam: rebounds and
 releases with spin, ranks and restarts, and those who read the identities of
 what the wall releases. Stands in an empty folder."""

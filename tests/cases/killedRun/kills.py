@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """A shock tube that writes every step, killed again and again."""
 
 import os

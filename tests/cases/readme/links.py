@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Links of the documents lead to files and headings that are there, each model
 page is in the index and has its parts, and each annotated dictionary is named
 by a page. The folder of the project is the argument."""

@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """The recipes of README.md as a user takes them: each fenced block that begins
 with // and a file name becomes that file, the others are run by bash. The cases
 that README.md names as the user's own are stock tutorials. Stands in a

@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Brute-force scattering of rigid bodies by a wall, to compare
 scatteringIndicatrix with: every particle is marched in small steps, its
 rotation by Runge and Kutta's method, and is in contact where a sampled point

@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Sod's problem in a tube of 1 m with 400 cells."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Smooth exact solutions and the thermally perfect gas."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Bad entries of solidParticleProperties stop the run before the first time
 step, with the file, the entry, its value and what would be valid."""
 

@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Rebound, inflow, deposits, balances, restart, ranks and means."""
 
 import filecmp

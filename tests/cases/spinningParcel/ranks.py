@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Impacts of the spin-carrying cloud on one, two and four ranks, on meshes of
 hexahedra, tetrahedra and polyhedra; stands in a temporary folder."""
 

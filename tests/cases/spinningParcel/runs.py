@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Restart, ranks and bad input of the spin-carrying cloud in a gas of linear
 velocity; stands in a temporary folder."""
 

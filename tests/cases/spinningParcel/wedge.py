@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Free flight of the spin-carrying cloud through a wedge, past and through its
 axis; stands in a temporary folder."""
 

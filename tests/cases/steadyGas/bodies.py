@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Spheres and cylinders in supersonic flow, on meshes that know nothing of
 the shock."""
 

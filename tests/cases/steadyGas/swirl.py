@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """A gas that turns like a rigid body in a closed can: centrifugal force and
 pressure balance, p = p0 exp(w^2 r^2/(2 R T)) at uniform T, an exact solution of
 the Euler equations that lasts for ever."""

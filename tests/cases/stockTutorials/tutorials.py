@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Stock tutorials under rhoCentralParcelFoam, beside the stock solver and the
 exact solutions; stands in a temporary folder.
 

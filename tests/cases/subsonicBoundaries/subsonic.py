@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Sound at a waveTransmissive outlet and a totalPressure inlet beside the
 stock rhoCentralFoam, and the mass flow of a subsonic nozzle; stands in a
 temporary folder."""

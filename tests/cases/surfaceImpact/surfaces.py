@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Cases of surfaceImpact; stands in a folder with the case 'stock'."""
 
 import csv

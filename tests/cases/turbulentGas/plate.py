@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Supersonic flow along an isothermal plate with the k-omega SST model and
 wall functions; stands in a folder of its own."""
 

@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Gas velocity at walls as parcels see it; stands in a temporary folder that
 holds the tutorial's case."""
 

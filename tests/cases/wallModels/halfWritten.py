@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """A stock solver's time directory that was not written to its end: a restart
 must not begin with fewer parcels, an empty layer or new averages in silence."""
 

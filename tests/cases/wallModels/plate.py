@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """A box of gas at rest over a plate, in a stock solver: parcels without forces
 fall on the plate and fly off. Writes the case, reads the parcels."""
 

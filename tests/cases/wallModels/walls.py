@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Runs and checks of the wall models; stands in an empty folder. Knows nothing
 of the code under test: the laws of a sphere are written down here once more,
 the distributions come from scatteringIndicatrix."""

@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Collisions in the cloud at their edge, in a closed box of 1 mm: rows for
 doc/stability.md."""
 

@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Near vacuum, single molecules and cells, great Mach numbers and steps."""
 
 import math

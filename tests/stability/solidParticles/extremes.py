@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Extreme gases with solid particles. All must end with finite states, keep
 momentum and energy of gas + solids + ledger to 1e-12 in every step, leave no
 sphere without its heat, and say what waits in the ledger."""

@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Parcels at the edge of what wall models meet, in a closed box of walls and in
 the unmodified solver: rows for doc/stability.md."""
 

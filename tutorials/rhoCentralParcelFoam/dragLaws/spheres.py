@@ -1,3 +1,4 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """The gas, the measured points, and the states that are computed."""
 
 import csv
