@@ -15,6 +15,7 @@ Description
 #include "completeWrite.H"
 #include "dsmcGas.H"
 #include "release.H"
+#include "runProgress.H"
 #include "solidParticles.H"
 
 int main(int argc, char* argv[])
@@ -38,6 +39,7 @@ int main(int argc, char* argv[])
 
     Info<< "Starting time loop" << nl << endl;
 
+    runProgress progress(runTime);
     while (completeWrite::run(runTime))
     {
         ++runTime;
@@ -58,6 +60,7 @@ int main(int argc, char* argv[])
         {
             runTime.printExecutionTime(Info);
         }
+        progress.report();
     }
 
     gas.info();

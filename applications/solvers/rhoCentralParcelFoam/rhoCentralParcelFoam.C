@@ -18,6 +18,7 @@ Description
 #include "highSpeedGas.H"
 #include "parcelClouds.H"
 #include "release.H"
+#include "runProgress.H"
 
 int main(int argc, char* argv[])
 {
@@ -47,6 +48,7 @@ int main(int argc, char* argv[])
 
     Info<< nl << "Starting time loop" << nl << endl;
 
+    runProgress progress(runTime);
     while (completeWrite::run(runTime))
     {
         gas.setDeltaT(runTime);
@@ -81,6 +83,7 @@ int main(int argc, char* argv[])
         {
             runTime.printExecutionTime(Info);
         }
+        progress.report();
     }
 
     Info<< "Gas: " << returnReduce(gas.cpuTime(), sumOp<scalar>())

@@ -91,6 +91,20 @@ def air(case):
             mixture__transport__mu="1.8e-5", mixture__transport__Pr="0.71")
 
 
+def percents(log, end):
+    """How often a log says how far the run is, and where that is wrong."""
+    said, wrong, time = 0, [], None
+    for line in log.split("\n"):
+        found = re.match(r"Time = (\S+)$", line)
+        time = float(found.group(1)) if found else time
+        found = re.match(r"(\d+) % of the run, about \d+ (s|min|h) left$", line)
+        if found:
+            said += 1
+            if int(found.group(1)) != int(100*time/end + 1e-6):
+                wrong.append((time, line))
+    return said, wrong
+
+
 def table(case, name):
     """The only row of the last table by patches."""
     path = max(glob.glob(os.path.join(case, "postProcessing", name, "*", "*",
@@ -173,10 +187,15 @@ def main():
         good, reason = at_target(printed, row, "intensity")
         last = os.path.join(case, must(case, "foamListTimes",
                                        "-latestTime").split()[-1])
+        with open(os.path.join(case, "log.dust")) as file:
+            said, wrong = percents(file.read(), 5e-3)
+        good &= said > 5 and not wrong
         missing = [f for f in ("dust:dust:concentration",
                                "dust:impacts:intensity")
                    if not os.path.isfile(os.path.join(last, f))]
-        return good and not missing, f"{reason}; not written: {missing}"
+        return good and not missing, (
+            f"{reason}; not written: {missing}; wrong percent: {wrong},"
+            f" of {said}")
 
     def scattering_table():
         smooth = table(cases["sand"], "wear")
