@@ -91,6 +91,12 @@ void Foam::gasEquations::setPatches()
         (
             !patch.coupled && leavesPressure.found(pressure.type())
         );
+        outlet_.push_back
+        (
+            !patch.coupled && !patch.image()
+         && Up.type() == "zeroGradient" && pressure.type() == "zeroGradient"
+         && thermo_.T().boundaryField()[patchi].type() == "zeroGradient"
+        );
         excluded[patchi] = slip || (wall && !viscous_ && !patch.image());
         frictionless_[patchi] = slip;
 
@@ -200,6 +206,83 @@ void Foam::gasEquations::wallPressure(const label f, double& p) const
     // In the first instants of an impulsive start the pressure next to the
     // wall varies by more than itself
     p = pc + max(-0.5*pc, min(0.5*pc, change));
+}
+
+
+double Foam::gasEquations::normalMach
+(
+    const label f,
+    const double* q,
+    double& un
+) const
+{
+    const int nDim = geometry_.nDim();
+    const double* n = &geometry_.normal[f*nDim];
+    un = 0;
+    for (int d = 0; d < nDim; d++)
+    {
+        un += q[2 + d]*n[d];
+    }
+    return
+        un
+       /std::sqrt
+        (
+            closure_.thermallyPerfect()
+          ? closure_.soundSpeedSqr<true>(q[1])
+          : closure_.soundSpeedSqr<false>(q[1])
+        );
+}
+
+
+void Foam::gasEquations::drain(const label f, double* q) const
+{
+    double un;
+    const double Mn = normalMach(f, q, un);
+    if (Mn >= 1)
+    {
+        return;
+    }
+
+    // Simple wave that leaves the gas behind it: u + 2 a/(gamma - 1) constant
+    const int nDim = geometry_.nDim();
+    const double a2 =
+        closure_.thermallyPerfect()
+      ? closure_.soundSpeedSqr<true>(q[1])
+      : closure_.soundSpeedSqr<false>(q[1]);
+    const double gamma = a2/(closure_.R*q[1]);
+    const double share = max(((gamma - 1)*Mn + 2)/(gamma + 1), 0.1);
+    q[0] *= std::pow(share, 2*gamma/(gamma - 1));
+    q[1] *= sqr(share);
+    for (int d = 0; d < nDim; d++)
+    {
+        q[2 + d] +=
+            (share*std::sqrt(a2) - un)*geometry_.normal[f*nDim + d];
+    }
+}
+
+
+bool Foam::gasEquations::subsonicOutlet() const
+{
+    scalar area = 0;
+    scalar subsonic = 0;
+    label k = -1;
+    for (const gasMesh::patchRange& patch : geometry_.patches())
+    {
+        k++;
+        for (label i = 0; i < patch.size && outlet_[k]; i++)
+        {
+            const label f = patch.start + i;
+            double un;
+            area += geometry_.area[f];
+            if (normalMach(f, &primitive[geometry_.owner[f]*nVar_], un) < 1)
+            {
+                subsonic += geometry_.area[f];
+            }
+        }
+    }
+    reduce(area, sumOp<scalar>());
+    reduce(subsonic, sumOp<scalar>());
+    return subsonic > 0.5*area;
 }
 
 
@@ -324,6 +407,25 @@ void Foam::gasEquations::correctBoundary()
 }
 
 
+void Foam::gasEquations::settleBoundary()
+{
+    const auto start = primitive.begin() + geometry_.nCells()*nVar_;
+    std::vector<double> before;
+    bool same = false;
+    for (int i = 0; i < 20 && !same; i++)
+    {
+        before.assign(start, primitive.end());
+        correctBoundary();
+        same = true;
+        for (size_t k = 0; k < before.size(); k++)
+        {
+            same = same && mag(start[k] - before[k]) <= 1e-14*mag(start[k]);
+        }
+        reduce(same, andOp<bool>());
+    }
+}
+
+
 void Foam::gasEquations::takeBoundary()
 {
     const volScalarField& p = thermo_.p();
@@ -333,8 +435,10 @@ void Foam::gasEquations::takeBoundary()
     const label nInternal = geometry_.nInternal();
     brokenFace_ = -1;
 
+    label k = -1;
     for (const gasMesh::patchRange& patch : geometry_.patches())
     {
+        k++;
         if (patch.coupled || patch.image())
         {
             continue;
@@ -360,6 +464,10 @@ void Foam::gasEquations::takeBoundary()
             for (int d = 0; d < nDim; d++)
             {
                 q[2 + d] = Up[i][geometry_.direction(d)];
+            }
+            if (rough_ && outlet_[k])
+            {
+                drain(patch.start + i, q);
             }
         }
     }

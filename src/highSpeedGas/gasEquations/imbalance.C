@@ -80,8 +80,8 @@ Foam::gasImbalance Foam::gasEquations::imbalance(const scalar bound) const
     b.cell = -1;
     b.nAbove = 0;
 
-    // Net inflow, and inflow, of mass and total enthalpy
-    FixedList<scalar, 4> flows(Zero);
+    // Net inflow, inflow and the least that counts, of mass and total enthalpy
+    FixedList<scalar, 6> flows(Zero);
     scalar squares = 0;
 
     for (label c = 0; c < nCells; c++)
@@ -121,20 +121,28 @@ Foam::gasImbalance Foam::gasEquations::imbalance(const scalar bound) const
         {
             const scalar m =
                 phi_.boundaryField()[patch.patchi][f - patch.start];
-            if (m < 0)
+            const double* q = &primitive[geometry_.far[f]*nVar_];
+            scalar H =
+                closure_.thermallyPerfect()
+              ? closure_.enthalpy<true>(q[1])
+              : closure_.enthalpy<false>(q[1]);
+            for (int d = 0; d < nDim; d++)
             {
-                const double* q = &primitive[geometry_.far[f]*nVar_];
-                scalar H =
-                    closure_.thermallyPerfect()
-                  ? closure_.enthalpy<true>(q[1])
-                  : closure_.enthalpy<false>(q[1]);
-                for (int d = 0; d < nDim; d++)
-                {
-                    H += 0.5*sqr(q[2 + d]);
-                }
-                flows[2] -= m;
-                flows[3] -= m*H;
+                H += 0.5*sqr(q[2 + d]);
             }
+            const scalar inflow = max(-m, scalar(0));
+            flows[2] += inflow;
+            flows[3] += inflow*H;
+
+            // What flows in at a thousandth of the speed of sound: where the
+            // gas is at rest, round-off is not out of balance with nothing
+            const scalar least =
+                m == 0
+              ? 0
+              : 1e-3*q[0]/(closure_.R*q[1])*geometry_.area[f]
+               *soundSpeed_[geometry_.owner[f]];
+            flows[4] += least;
+            flows[5] += least*H;
         }
     }
 
@@ -148,8 +156,13 @@ Foam::gasImbalance Foam::gasEquations::imbalance(const scalar bound) const
     (
         squares/(3*returnReduce(scalar(nCells), sumOp<scalar>()))
     );
-    b.massBalance = flows[0]/max(flows[2], VSMALL);
-    b.enthalpyBalance = flows[1]/max(flows[3], VSMALL);
+    b.massBalance = flows[0]/max(max(flows[2], flows[4]), VSMALL);
+    b.enthalpyBalance = flows[1]/max(max(flows[3], flows[5]), VSMALL);
+    if (flows[4] == 0)
+    {
+        b.massBalance = 0;
+        b.enthalpyBalance = 0;
+    }
 
     for (label k = 0; k < 3; k++)
     {

@@ -485,6 +485,8 @@ void Foam::highSpeedGas::align(shockAlignment& alignment)
             << exit(FatalIOError);
     }
 
+    alignment.checkInflow(U_, sqrt(thermo_->gamma()/thermo_->psi()));
+
     // The shock stands long before the last cell is at rest
     const scalar residual = max(residual_, 1e-4);
     const sigFpe::ignore untrapped;

@@ -87,6 +87,34 @@ Foam::shockAlignment::shockAlignment(fvMesh& mesh, const dictionary& dict)
 }
 
 
+void Foam::shockAlignment::checkInflow
+(
+    const volVectorField& U,
+    const volScalarField& soundSpeed
+) const
+{
+    scalar most = 0;
+    forAll(layers_.outerFaces(), columni)
+    {
+        const vector& S = mesh_.faceAreas()[layers_.outerFaces()[columni]];
+        most = max
+        (
+            most,
+           -(outside(U, columni) & S)/mag(S)/outside(soundSpeed, columni)
+        );
+    }
+    if (most < 1)
+    {
+        FatalErrorInFunction
+            << "There is no shock before the body: through the outer boundary"
+            << " the gas flows in at a Mach number of " << most
+            << " at most" << nl
+            << "Layers follow the bow shock of a supersonic stream"
+            << exit(FatalError);
+    }
+}
+
+
 void Foam::shockAlignment::findShock(const volScalarField& p)
 {
     const labelListList& columns = layers_.columns();

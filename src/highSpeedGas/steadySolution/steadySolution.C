@@ -20,12 +20,20 @@ Foam::steadySolution::steadySolution
 {}
 
 
+bool Foam::steadySolution::steady() const
+{
+    // Small imbalances of many cells of one sign may add up
+    return
+        imbalance_.value() <= settings_.residual
+     && mag(imbalance_.massBalance) <= settings_.residual
+     && mag(imbalance_.enthalpyBalance) <= settings_.residual;
+}
+
+
 bool Foam::steadySolution::finished()
 {
     imbalance_ = equations_.imbalance(settings_.residual);
-    return
-        imbalance_.value() <= settings_.residual
-     || iterations_ >= settings_.maxIterations;
+    return steady() || iterations_ >= settings_.maxIterations;
 }
 
 
@@ -155,7 +163,11 @@ bool Foam::steadySolution::solve(const bool near)
 
         // A march from far away begins with first-order fluxes
         equations_.computeRate();
-        if (!finished() && imbalance_.value() > 0.05)
+        if
+        (
+            !finished()
+         && (imbalance_.value() > 0.05 || equations_.subsonicOutlet())
+        )
         {
             if (!near)
             {
@@ -189,11 +201,10 @@ bool Foam::steadySolution::solve(const bool near)
         marchExplicitly();
     }
 
-    const bool steady = imbalance_.value() <= settings_.residual;
     Info<< "Gas: balance of mass " << imbalance_.massBalance
         << ", of total enthalpy " << imbalance_.enthalpyBalance
         << " of what flows in" << endl;
-    if (steady)
+    if (steady())
     {
         Info<< "Gas: steady after " << iterations_
             << " iterations, imbalance of " << imbalance_ << endl;
@@ -208,7 +219,9 @@ bool Foam::steadySolution::solve(const bool near)
             << ", most in the equation of " << gasImbalance::names[k]
             << " of cell " << imbalance_.cell[k] << " at "
             << imbalance_.place[k] << " (rank " << imbalance_.rank[k]
-            << "), " << imbalance_.largest[k] << endl;
+            << "), " << imbalance_.largest[k] << "; the balance of mass is "
+            << imbalance_.massBalance << ", that of total enthalpy "
+            << imbalance_.enthalpyBalance << " of what flows in" << endl;
     }
-    return steady;
+    return steady();
 }

@@ -76,7 +76,7 @@ bool Foam::NewtonKrylov::move
 }
 
 
-void Foam::NewtonKrylov::multiply
+bool Foam::NewtonKrylov::multiply
 (
     const std::vector<double>& v,
     const scalar Co,
@@ -91,14 +91,18 @@ void Foam::NewtonKrylov::multiply
         largest = max(largest, mag(v[i]));
     }
     reduce(largest, maxOp<scalar>());
-    const scalar step =
+    scalar step =
         min(1e-7*std::sqrt(nAll), 1e-4/max(largest, VSMALL));
 
-    if (!move(v, step))
+    // Next to a vacuum even a small change may be too large
+    int attempt = 0;
+    while (!move(v, step))
     {
-        FatalErrorInFunction
-            << "A change of the gas by " << step << " of itself is not"
-            << " possible" << exit(FatalError);
+        if (++attempt == 4)
+        {
+            return false;
+        }
+        step *= 0.1;
     }
     for (label i = 0; i < nUnknowns_; i++)
     {
@@ -106,10 +110,11 @@ void Foam::NewtonKrylov::multiply
             v[i]/Co
           - (gas_.rate[i]/equationScale_[i] - baseResidual_[i])/step;
     }
+    return true;
 }
 
 
-void Foam::NewtonKrylov::solve
+bool Foam::NewtonKrylov::solve
 (
     const scalar Co,
     const scalar tolerance,
@@ -145,7 +150,10 @@ void Foam::NewtonKrylov::solve
             {
                 x /= length;
             }
-            multiply(work_, Co, w);
+            if (!multiply(work_, Co, w))
+            {
+                break;
+            }
             for (double& x : w)
             {
                 x *= length;
@@ -208,6 +216,7 @@ void Foam::NewtonKrylov::solve
     }
     precondition(change, work_);
     change = work_;
+    return m > 0;
 }
 
 
@@ -249,6 +258,8 @@ Foam::scalar Foam::NewtonKrylov::limit(std::vector<double>& change) const
 
 Foam::scalar Foam::NewtonKrylov::step(const scalar Co)
 {
+    // A boundary that lags behind the state would pass for a derivative
+    gas_.settleBoundary();
     gas_.computeRate();
     setScales();
     base_ = gas_.conserved;
@@ -275,14 +286,14 @@ Foam::scalar Foam::NewtonKrylov::step(const scalar Co)
     }
 
     std::vector<double> change(nUnknowns_);
-    solve(Co, 0.1, change);
+    const bool found = solve(Co, 0.1, change);
     scalar share = limit(change);
 
     // The way to the steady state may lead uphill, but not far
     const scalar uphill = 2;
     bool accepted = false;
     scalar part = 1;
-    for (int attempt = 0; attempt < 3 && !accepted; attempt++)
+    for (int attempt = 0; found && attempt < 3 && !accepted; attempt++)
     {
         if (move(change, part))
         {
