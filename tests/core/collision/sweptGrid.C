@@ -264,10 +264,11 @@ TEST(eventQueue, givesEventsBackInTheirOrder)
         {
             push(0);
         }
-        collisionEvent e;
         int taken = 0;
-        while (queue.pop(e, before))
+        while (const collisionEvent* top = queue.top(before))
         {
+            const collisionEvent e = *top;
+            queue.discard(before);
             ASSERT_FALSE(expected.empty());
             EXPECT_EQ(e.first, expected.begin()->first);
             EXPECT_EQ(e.time, expected.begin()->time);

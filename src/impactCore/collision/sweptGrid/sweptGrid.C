@@ -319,6 +319,16 @@ void impact::sweptGrid::move(std::int32_t i, const sweptBox& box)
 }
 
 
+void impact::sweptGrid::add(const sweptBox& box)
+{
+    boxes_.push_back(box);
+    cellOf_.push_back(-1);
+    slotOf_.push_back(-1);
+    nextMoved_.push_back(-1);
+    move(std::int32_t(boxes_.size()) - 1, box);
+}
+
+
 void impact::sweptGrid::remove(std::int32_t i)
 {
     unlink(i);
