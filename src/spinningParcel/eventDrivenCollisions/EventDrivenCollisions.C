@@ -9,11 +9,6 @@
 #include "coupledPolyPatch.H"
 #include "cyclicAMIPolyPatch.H"
 #include "meshTools.H"
-#include "vicinity.H"
-
-#include <algorithm>
-#include <limits>
-#include <tuple>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -217,499 +212,6 @@ void Foam::EventDrivenCollisions<CloudType>::collect()
 }
 
 
-template<class CloudType>
-void Foam::EventDrivenCollisions<CloudType>::admitInjected()
-{
-    scalar largest = 0;
-    bool any = false;
-    for (const flight& f : flights_)
-    {
-        largest = max(largest, f.parcel->d());
-        any = any || f.injected;
-    }
-    reduce(any, orOp<bool>());
-    if (!any)
-    {
-        return;
-    }
-    reduce(largest, maxOp<scalar>());
-
-    // Others matter near new parcels only, or at the ends of a period
-    const bool* periodic = step_.grid().domain().periodic;
-    const bool all = periodic[0] || periodic[1] || periodic[2];
-    vicinity ofNew(bounds_, directions_);
-    for (const flight& f : flights_)
-    {
-        if (f.injected)
-        {
-            ofNew.add(f.x, 2*largest);
-        }
-    }
-    ofNew.reduce();
-
-    struct member
-    {
-        std::uint64_t identity;
-        vector x;
-        scalar d, mass;
-        label rank, slot;
-        bool injected;
-    };
-    struct pair
-    {
-        std::int32_t i, j, image;
-    };
-
-    // Moving a pair apart may bring one of them upon a third
-    for (label sweep = 0; sweep < (separate_ ? 20 : 1); ++sweep)
-    {
-        std::vector<member> members;
-        for (std::size_t i = 0; i < flights_.size(); ++i)
-        {
-            const flight& f = flights_[i];
-            if (!f.parcel)
-            {
-                continue;
-            }
-            const parcelType& p = *f.parcel;
-            const point x = f.placed ? f.x : p.position();
-            if (f.injected || all || ofNew.near(x))
-            {
-                members.push_back
-                ({
-                    identityOf(p), x, p.d(), p.mass(), Pstream::myProcNo(),
-                    label(i), f.injected
-                });
-            }
-        }
-        gather(members);
-
-        label nOverlaps = 0;
-        if (Pstream::master())
-        {
-            impact::sweptGrid grid(step_.grid().domain());
-            grid.resize(members.size());
-            for (std::size_t i = 0; i < members.size(); ++i)
-            {
-                const scalar r = 0.5*members[i].d;
-                for (int k = 0; k < 3; ++k)
-                {
-                    grid.box(i).low[k] = members[i].x[k] - r;
-                    grid.box(i).high[k] = members[i].x[k] + r;
-                }
-            }
-            grid.build();
-
-            // In the order of the identities, on any number of ranks
-            std::vector<pair> pairs;
-            grid.pairs
-            (
-                [&](std::int32_t i, std::int32_t j, std::int32_t image)
-                {
-                    if (!members[i].injected && !members[j].injected)
-                    {
-                        return;
-                    }
-                    if (members[j].identity < members[i].identity)
-                    {
-                        std::swap(i, j);
-                        image = 2*impact::sweptGrid::noImage - image;
-                    }
-                    pairs.push_back({i, j, image});
-                }
-            );
-            std::sort
-            (
-                pairs.begin(), pairs.end(),
-                [&](const pair& a, const pair& b)
-                {
-                    const auto key = [&](const pair& c)
-                    {
-                        return std::make_tuple
-                        (
-                            members[c.i].identity, members[c.j].identity,
-                            c.image
-                        );
-                    };
-                    return key(a) < key(b);
-                }
-            );
-
-            std::vector<char> removed(members.size(), 0);
-            const auto displaced = [&](member& a, const vector& way)
-            {
-                course c;
-                c.rank = a.rank;
-                c.slot = a.slot;
-                c.next = -1;
-                mission m(DISPLACE, 0);
-                m.way = way;
-                m.injected = a.injected;
-                fly(c, m);
-                a.rank = c.rank;
-                a.slot = c.slot;
-                a.x = m.way;
-            };
-            for (const pair& c : pairs)
-            {
-                member& a = members[c.i];
-                member& b = members[c.j];
-                const vector s = solved
-                (
-                    b.x - a.x
-                  + (
-                        c.image == impact::sweptGrid::noImage
-                      ? vector(Zero)
-                      : fromCore(grid.shift(c.image))
-                    )
-                );
-                const scalar sigma = 0.5*(a.d + b.d);
-                const scalar overlap = sigma - mag(s);
-                if (overlap <= 1e-12*sigma || removed[c.i] || removed[c.j])
-                {
-                    continue;
-                }
-                ++nOverlaps;
-                if (!separate_)
-                {
-                    // The later of the two goes
-                    const std::int32_t late = b.injected ? c.j : c.i;
-                    removed[late] = 1;
-                    request r
-                    {
-                        COMMIT, members[late].slot, -1, 0, mission(PLAN, 0)
-                    };
-                    ask(members[late].rank, r);
-                    continue;
-                }
-                vector along(Zero);
-                along[directions_.x() > 0 ? 0 : 1] = 1;
-                const vector e = mag(s) > 1e-9*sigma ? s/mag(s) : along;
-                const scalar share = b.mass/(a.mass + b.mass);
-                const scalar way = (1 + 1e-9)*overlap;
-                displaced(a, -share*way*e);
-                displaced(b, (1 - share)*way*e);
-            }
-            dismiss();
-            if (sweep == 0)
-            {
-                report_.overlappingInjection = nOverlaps;
-            }
-        }
-        else
-        {
-            serve();
-        }
-        Pstream::scatter(nOverlaps);
-        if (nOverlaps == 0)
-        {
-            break;
-        }
-    }
-}
-
-
-template<class CloudType>
-bool Foam::EventDrivenCollisions<CloudType>::proceed(flight& f, mission& m)
-{
-    if (m.setU)
-    {
-        f.parcel->U() = m.U;
-        if (law_.spin())
-        {
-            f.parcel->omega() = m.omega;
-        }
-        m.setU = false;
-    }
-    switch (m.kind)
-    {
-        case PLAN: return plan(f, m);
-        case ARRIVE: return arrive(f, m);
-        case REST: return rest(f, m);
-        case END_REST: return endRest(f, m);
-        case HOLD:
-            if (mag(f.parcel->U()) <= m.slow)
-            {
-                return hold(f, m);
-            }
-            m.kind = m.free;
-            return m.kind == REST ? rest(f, m) : plan(f, m);
-        case DISPLACE: return displace(f, m);
-    }
-    return true;
-}
-
-
-template<class CloudType>
-bool Foam::EventDrivenCollisions<CloudType>::plan(flight& f, mission& m)
-{
-    parcelType& p = *f.parcel;
-    bool moves = m.begun;
-    f.firstRecord = planned_.size();
-    if (!m.begun)
-    {
-        m.begun = true;
-        m.resting = false;
-        m.boundary = false;
-        m.end = deltaT_;
-        m.path.x = toCore(solved(f.placed ? f.x : p.position()));
-        m.path.v = toCore(solved(p.U()));
-        m.path.a = impact::vector3{0, 0, 0};
-        m.path.start = m.t;
-        f.placed = false;
-        f.start = typename plannedCloud::state(p);
-    }
-    if (p.stepFraction() < 1)
-    {
-        moves = true;
-        p.move(planned_, *td_, deltaT_);
-        f.lastRecord = planned_.size();
-        if (td_->switchProcessor && atPass(p))
-        {
-            return false;
-        }
-        m.boundary = td_->switchProcessor;
-    }
-    f.lastRecord = planned_.size();
-    if (moves)
-    {
-        m.end = p.stepFraction() < 1 ? p.stepFraction()*deltaT_ : deltaT_;
-
-        // Round-off of positions must not look like an acceleration
-        const scalar h = m.end - m.path.start;
-        const point end = solved(p.position());
-        const vector bend =
-            end - fromCore(m.path.x) - h*fromCore(m.path.v);
-        if
-        (
-            cmptMax(cmptMag(bend)) > 1e-14*cmptMax(cmptMag(end))
-         && h > 1e-9*deltaT_
-        )
-        {
-            m.path.a = toCore(2/sqr(h)*bend);
-        }
-        if (h > 1e-9*deltaT_)
-        {
-            // The bend of a short way is the error of its ends
-            m.pull = mag(solved(p.U()) - fromCore(m.path.v))/h;
-        }
-    }
-    return true;
-}
-
-
-template<class CloudType>
-void Foam::EventDrivenCollisions<CloudType>::stay(flight& f, mission& m)
-{
-    m.path.x = toCore(solved(f.parcel->position()));
-    m.path.v = impact::vector3{0, 0, 0};
-    m.path.a = impact::vector3{0, 0, 0};
-    m.path.start = m.t;
-    f.start = typename plannedCloud::state(*f.parcel);
-    f.firstRecord = f.lastRecord = planned_.size();
-}
-
-
-template<class CloudType>
-bool Foam::EventDrivenCollisions<CloudType>::rest(flight& f, mission& m)
-{
-    parcelType& p = *f.parcel;
-    const scalar pause = min(restShare*deltaT_, deltaT_ - m.t);
-    const bool home = !m.begun;
-    if (home)
-    {
-        // What is left of the velocity towards or off the wall goes. A
-        // little off it, so that the tracking does not meet the face again
-        // at once
-        if (p.onBoundaryFace() && !atPass(p))
-        {
-            vector n = p.mesh().faceAreas()[p.face()];
-            n /= mag(n);
-            p.U() -= (p.U() & n)*n;
-            p.U() -= 1e-6*mag(p.U())*n;
-        }
-        m.begun = true;
-        m.boundary = false;
-        m.resting = true;
-        stay(f, m);
-        m.path.v = toCore(solved(p.U()));
-        m.way = pause*p.U();
-        ++cloud_.statistics().nPauses;
-    }
-
-    m.left *= p.track(m.left*m.way, 0);
-    if (m.left > 0 && atPass(p) && m.hops < maxHops)
-    {
-        return false;
-    }
-    if (home)
-    {
-        f.start.restore(p);
-    }
-
-    // In a corner it stays
-    const scalar share = 1 - m.left;
-    m.halt = share*pause < min(duration_.value(), 0.1*pause);
-
-    // Not beyond the step by round-off, or it would not end in it
-    m.end = min(m.t + (m.halt ? pause : share*pause), deltaT_);
-    if (m.halt)
-    {
-        m.path.v = impact::vector3{0, 0, 0};
-        if (home)
-        {
-            p.U() = Zero;
-        }
-    }
-    return true;
-}
-
-
-template<class CloudType>
-bool Foam::EventDrivenCollisions<CloudType>::endRest(flight& f, mission& m)
-{
-    parcelType& p = *f.parcel;
-    const scalar pause = m.t - m.path.start;
-    if (pause > 0)
-    {
-        if (!m.begun)
-        {
-            m.begun = true;
-            m.way = p.position();
-        }
-        m.left *= p.track(m.left*pause*p.U(), 0);
-        if (m.left > 0 && atPass(p) && m.hops < maxHops)
-        {
-            return false;
-        }
-        td_->keepParticle = true;
-        p.face() = -1;
-        p.setCellValues(cloud_, *td_);
-        const vector before = p.U();
-        p.calc(cloud_, *td_, pause);
-        if (pause > 1e-9*deltaT_)
-        {
-            m.pull = mag(solved(p.U() - before))/pause;
-        }
-        p.age() += pause;
-        foamCompat::postMove(cloud_.functions(), p, pause, m.way, *td_);
-        f.keep = f.keep && td_->keepParticle;
-    }
-    m.resting = false;
-    p.stepFraction() = m.t < deltaT_ ? m.t/deltaT_ : 1;
-    return true;
-}
-
-
-template<class CloudType>
-bool Foam::EventDrivenCollisions<CloudType>::arrive(flight& f, mission& m)
-{
-    parcelType& p = *f.parcel;
-    const scalar begin = m.path.start;
-    const scalar time = m.t - begin;
-    bool hit = false;
-    if (!m.begun)
-    {
-        m.begun = true;
-        f.start.restore(p);
-        m.settling = time <= 1e-14*deltaT_;
-        if (!m.settling)
-        {
-            p.stepFraction() = 0;
-        }
-    }
-    if (!m.settling)
-    {
-        f.firstRecord = planned_.size();
-        if (p.stepFraction() < 1)
-        {
-            p.move(planned_, *td_, time);
-            hit = td_->switchProcessor;
-        }
-        f.lastRecord = planned_.size();
-        planned_.rescale(f.firstRecord, begin/deltaT_, time/deltaT_);
-        act(f);
-        if (hit && atPass(p))
-        {
-            return false;
-        }
-        m.settling = true;
-    }
-
-    // From where the integration leads to the parabola, along a wall if there
-    // is one: another parcel is where the parabola does not lead
-    const auto away = [&]()
-    {
-        return solved(fromCore(m.path.position(m.t)) - p.position());
-    };
-    p.track(away(), 0);
-    if (p.onBoundaryFace() && !atPass(p))
-    {
-        vector n = p.mesh().faceAreas()[p.face()];
-        n /= mag(n);
-        vector way = away();
-        way -= max(way & n, scalar(0))*n;
-        if (mag(way) > 0)
-        {
-            p.track(way - 1e-6*mag(way)*n, 0);
-        }
-    }
-    if (atPass(p) && m.hops < maxHops)
-    {
-        return false;
-    }
-    hit =
-        p.onBoundaryFace()
-     && !atPass(p)
-     && (p.U() & p.mesh().faceAreas()[p.face()]) > 0;
-    p.stepFraction() = m.t < deltaT_ ? m.t/deltaT_ : 1;
-    m.boundary = hit;
-    if (hit)
-    {
-        // Its boundary event is due, and comes first
-        m.end = m.t;
-        stay(f, m);
-    }
-    return true;
-}
-
-
-template<class CloudType>
-bool Foam::EventDrivenCollisions<CloudType>::displace(flight& f, mission& m)
-{
-    parcelType& p = *f.parcel;
-    if (magSqr(m.way) > 0)
-    {
-        m.left *= p.track(m.left*m.way, 0);
-        if (m.left > 0 && atPass(p) && m.hops < maxHops)
-        {
-            return false;
-        }
-        p.face() = -1;
-        f.placed = false;
-    }
-    m.way = p.position();
-    return true;
-}
-
-
-template<class CloudType>
-bool Foam::EventDrivenCollisions<CloudType>::hold(flight& f, mission& m)
-{
-    parcelType& p = *f.parcel;
-    m.energy = 0.5*p.mass()*magSqr(p.U());
-    p.U() = Zero;
-    m.begun = true;
-    m.boundary = false;
-    m.resting = false;
-    m.end = deltaT_;
-    stay(f, m);
-    p.age() += deltaT_ - m.t;
-    p.stepFraction() = 1;
-    return true;
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 template<class CloudType>
@@ -767,13 +269,16 @@ Foam::EventDrivenCollisions<CloudType>::EventDrivenCollisions
     ),
     step_(domain(dict, cloud.mesh()), duration_, maxEvents),
     planned_(cloud),
+    together_(true),
+    reach_(0),
     bounds_(cloud.mesh().bounds()),
     directions_(vector::one),
     nParcels_(-1),
     td_(nullptr),
     deltaT_(0),
     totals_(scalar(0)),
-    deepest_(0)
+    deepest_(0),
+    work_(scalar(0))
 {
     const polyMesh& mesh = cloud.mesh();
     for (label k = 0; k < 3; ++k)
@@ -804,8 +309,12 @@ Foam::EventDrivenCollisions<CloudType>::EventDrivenCollisions
         << ", contact duration " << duration_.value() << " s" << endl;
     if (Pstream::parRun())
     {
-        Info<< "    Events are ordered by the master for all "
-            << Pstream::nProcs() << " ranks: the halo is the whole domain"
+        territories_.reset
+        (
+            new rankTerritories(mesh, step_.grid().domain(), directions_)
+        );
+        Info<< "    Each of " << Pstream::nProcs() << " ranks orders the"
+            << " events of its parcels, with those near it as its halo"
             << endl;
     }
 
@@ -828,35 +337,40 @@ void Foam::EventDrivenCollisions<CloudType>::motion(trackingData& td)
     admitInjected();
     planAll();
 
-    if (Pstream::master())
+    std::string failure;
+    try
     {
-        std::string failure;
-        try
+        if (Pstream::parRun())
         {
-            const impact::collisionCounts counts = step_.run(*this, deltaT_);
-            report_.wallEvents = counts.wallEvents;
-            report_.deepestOverlap = counts.deepestOverlap;
+            settle();
         }
-        catch (const std::runtime_error& error)
+        else
         {
-            failure = error.what();
+            step_.run(*this, deltaT_);
         }
-        catch (const std::invalid_argument& error)
-        {
-            failure = error.what();
-        }
-        if (!failure.empty())
-        {
-            FatalErrorInFunction
-                << "Cloud " << cloud_.name() << ": " << failure
-                << exit(FatalError);
-        }
-        commitAll();
-        dismiss();
     }
-    else
+    catch (const std::runtime_error& error)
     {
-        serve();
+        failure = error.what();
+    }
+    catch (const std::invalid_argument& error)
+    {
+        failure = error.what();
+    }
+    if (!failure.empty())
+    {
+        FatalErrorInFunction
+            << "Cloud " << cloud_.name() << ": " << failure
+            << exit(FatalError);
+    }
+    const impact::collisionCounts& counts = step_.counts();
+    report_.wallEvents = counts.wallEvents;
+    report_.deepestOverlap = counts.deepestOverlap;
+    work_[2] += counts.candidates;
+    work_[3] += counts.late;
+    if (Pstream::parRun())
+    {
+        commitAll();
     }
 
     for (flight& f : flights_)
@@ -877,146 +391,6 @@ void Foam::EventDrivenCollisions<CloudType>::motion(trackingData& td)
         }
     }
     nParcels_ = cloud_.size();
-}
-
-
-template<class CloudType>
-void Foam::EventDrivenCollisions<CloudType>::collide
-(
-    const std::int32_t i,
-    const std::int32_t j,
-    const impact::vector3& separation,
-    const double t
-)
-{
-    course& a = courses_[i];
-    course& b = courses_[j];
-    const double pull = a.pull + b.pull;
-    bool resting = false;
-    const auto arrival = [&](course& c)
-    {
-        mission m(c.resting ? END_REST : ARRIVE, t);
-        m.path = c.path;
-        if (c.held)
-        {
-            m.mass = std::numeric_limits<scalar>::infinity();
-            return m;
-        }
-        fly(c, m);
-        return m;
-    };
-    mission aThen = arrival(a);
-    mission bThen = arrival(b);
-    const auto go = [&](course& c, mission& then)
-    {
-        if (c.held)
-        {
-            return;
-        }
-        if (then.boundary)
-        {
-            ++c.events;
-            adoptPlan(c, then);
-            return;
-        }
-        mission m = next(c, resting ? REST : PLAN, resting, t, pull);
-        m.U = then.U;
-        m.omega = then.omega;
-        m.setU = true;
-        fly(c, m);
-        adoptPlan(c, m);
-    };
-    if (!aThen.boundary && !bThen.boundary)
-    {
-        const impact::collidingSphere first
-        {
-            toCore(aThen.U), toCore(aThen.omega), aThen.mass, a.radius
-        };
-        const impact::collidingSphere second
-        {
-            toCore(bThen.U), toCore(bThen.omega), bThen.mass, b.radius
-        };
-        const impact::vector3 n = (1/impact::mag(separation))*separation;
-        const double approach = impact::dot(n, first.v - second.v);
-        resting =
-            a.held || b.held
-         || (
-                approach <= atRest(pull)
-             && (duration_.rests(a.recent, t) || duration_.rests(b.recent, t))
-            );
-        const bool elastic = !resting
-         && (
-                duration_.elastic(a.recent, t, approach, pull)
-             || duration_.elastic(b.recent, t, approach, pull)
-            );
-        const impact::pairCollision out =
-            (resting ? restingLaw_ : law_).collide(first, second, n, elastic);
-
-        // Forces that press may not have made a speed yet
-        const bool slow = duration_.slow(approach, pull);
-        duration_.count(a.recent, t, slow);
-        duration_.count(b.recent, t, slow);
-        if (approach > 0)
-        {
-            ++report_.pairEvents;
-            report_.rankPairs += a.rank != b.rank;
-            report_.restitutionLoss += out.restitutionLoss;
-            report_.frictionLoss += out.frictionLoss;
-        }
-        aThen.U = fromCore(out.v1);
-        bThen.U = fromCore(out.v2);
-        if (law_.spin())
-        {
-            aThen.omega = fromCore(out.omega1);
-            bThen.omega = fromCore(out.omega2);
-        }
-    }
-    go(a, aThen);
-    go(b, bThen);
-}
-
-
-template<class CloudType>
-bool Foam::EventDrivenCollisions<CloudType>::hitWall
-(
-    const std::int32_t i,
-    const double t
-)
-{
-    course& c = courses_[i];
-    if (c.resting)
-    {
-        mission m(END_REST, t);
-        m.path = c.path;
-        fly(c, m);
-        c.pull = m.pull >= 0 ? m.pull : c.pull;
-        mission then = next(c, PLAN, true, t, c.pull);
-        fly(c, then);
-        adoptPlan(c, then);
-        return true;
-    }
-
-    // A parcel that is pressed against a wall does not bounce for ever
-    if (t - c.firstHit >= duration_.value())
-    {
-        c.firstHit = t;
-        c.hits = 0;
-    }
-    const bool rests = ++c.hits > 8;
-    mission m = next(c, rests ? REST : PLAN, rests, t, c.pull);
-    const leg last = commitLegs(c, m.keep);
-    c.rank = last.rank;
-    c.slot = last.slot;
-    c.next = -1;
-    request r{HIT, c.slot, -1, 0, m};
-    response done = ask(c.rank, r);
-    if (done.gone)
-    {
-        return false;
-    }
-    follow(c, m, done);
-    adoptPlan(c, m);
-    return true;
 }
 
 
@@ -1048,6 +422,19 @@ void Foam::EventDrivenCollisions<CloudType>::info()
                 << "; in all " << totals_[i] << ", " << totals_[i + 1]
                 << nl;
         };
+    const auto byRank =
+        [](const char* text, const scalar n)
+        {
+            scalarList all(Pstream::nProcs(), scalar(0));
+            all[Pstream::myProcNo()] = n;
+            Pstream::gatherList(all);
+            Info<< "    " << text << " =";
+            for (const scalar k : all)
+            {
+                Info<< ' ' << int64_t(k);
+            }
+            Info<< nl;
+        };
     line("    Pair, boundary events           = ", 0);
     Info<< "    Deepest overlap                 = " << overlap
         << "; in all " << deepest_ << nl;
@@ -1059,6 +446,14 @@ void Foam::EventDrivenCollisions<CloudType>::info()
     if (Pstream::parRun())
     {
         line("    Pairs, hand-overs between ranks = ", 5);
+        byRank("Parcels of each rank           ", work_[0]);
+        byRank("Halo of each rank              ", work_[1]);
+    }
+    byRank("Pairs searched by each rank    ", work_[2]);
+    const scalar late = returnReduce(work_[3], sumOp<scalar>());
+    if (late > 0)
+    {
+        Info<< "    Pairs searched out of order     = " << late << nl;
     }
     if (totals_[4] > 0)
     {

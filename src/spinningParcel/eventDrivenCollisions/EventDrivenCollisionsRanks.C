@@ -10,6 +10,7 @@
 #include "UOPstream.H"
 #include "wallPolyPatch.H"
 
+#include <algorithm>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -83,34 +84,27 @@ void Foam::EventDrivenCollisions<CloudType>::receiveBytes
 
 
 template<class CloudType>
-template<class Item>
-void Foam::EventDrivenCollisions<CloudType>::gather(std::vector<Item>& items)
+void Foam::EventDrivenCollisions<CloudType>::drop(flight& f)
 {
-    if (!Pstream::parRun())
+    if (f.guest)
     {
-        return;
+        delete f.parcel;
     }
-    labelList sizes(Pstream::nProcs(), 0);
-    sizes[Pstream::myProcNo()] = items.size();
-    Pstream::gatherList(sizes);
-    if (!Pstream::master())
+    else
     {
-        sendBytes(Pstream::masterNo(), items.data(), items.size()*sizeof(Item));
-        return;
+        cloud_.deleteParticle(*f.parcel);
     }
-    std::size_t total = 0;
-    for (const label n : sizes)
+    f.parcel = nullptr;
+}
+
+
+template<class CloudType>
+void Foam::EventDrivenCollisions<CloudType>::settleHere(flight& f)
+{
+    if (f.guest)
     {
-        total += n;
-    }
-    items.reserve(total);
-    std::vector<char> bytes;
-    for (label rank = 1; rank < Pstream::nProcs(); ++rank)
-    {
-        bytes.resize(sizes[rank]*sizeof(Item));
-        receiveBytes(rank, bytes.data(), bytes.size());
-        const Item* from = reinterpret_cast<const Item*>(bytes.data());
-        items.insert(items.end(), from, from + sizes[rank]);
+        cloud_.addParticle(f.parcel);
+        f.guest = false;
     }
 }
 
@@ -141,15 +135,7 @@ void Foam::EventDrivenCollisions<CloudType>::pack
     {
         return;
     }
-    if (f.guest)
-    {
-        delete f.parcel;
-    }
-    else
-    {
-        cloud_.deleteParticle(p);
-    }
-    f.parcel = nullptr;
+    drop(f);
 }
 
 
@@ -178,14 +164,13 @@ template<class CloudType>
 typename Foam::EventDrivenCollisions<CloudType>::response
 Foam::EventDrivenCollisions<CloudType>::answer(const request& r)
 {
-    response out{r.slot, -1, -1, 0, false, r.m};
+    response out(r.slot, r.m);
     if (r.kind == RECEIVE)
     {
         unpack(r);
         out.slot = label(flights_.size()) - 1;
     }
     flight& f = flights_[out.slot];
-    parcelType& p = *f.parcel;
     bool done = true;
     bool take = false;
     switch (r.kind)
@@ -199,69 +184,36 @@ Foam::EventDrivenCollisions<CloudType>::answer(const request& r)
             done = false;
             break;
 
-        case COMMIT:
-            f.keep = f.keep && r.m.keep;
-            if (f.keep)
-            {
-                act(f);
-            }
-            out.m.keep = f.keep;
-            if (f.guest)
-            {
-                delete f.parcel;
-            }
-            else
-            {
-                cloud_.deleteParticle(p);
-            }
-            f.parcel = nullptr;
+        case LINK:
+            f.next = r.next;
             return out;
 
-        case ADOPT:
-        case HIT:
+        case COMMIT:
             f.keep = f.keep && r.m.keep;
-            if (f.guest)
+            out.m.keep = f.keep;
+            out.next = f.next;
+            if (f.next.rank >= 0)
             {
-                cloud_.addParticle(&p);
-                f.guest = false;
-            }
-            if (r.kind == ADOPT)
-            {
-                return out;
-            }
-            act(f);
-            td_->keepParticle = f.keep;
-            td_->switchProcessor = false;
-            if (f.keep)
-            {
-                // What a wall model lifts a parcel off the face by could
-                // press it into another
-                const bool wall = isA<wallPolyPatch>
-                    (cloud_.mesh().boundaryMesh()[p.patch()]);
-                const typename parcelType::place here(p);
-                p.hitFace(p.U(), cloud_, *td_);
-                if (wall && td_->keepParticle)
+                if (f.keep)
                 {
-                    here.restore(p);
+                    act(f);
                 }
+                drop(f);
             }
-            if (!td_->keepParticle)
+            return out;
+
+        case REMOVE:
+            drop(f);
+            return out;
+
+        case HIT:
+            done = hit(f, out);
+            take = !done;
+            if (out.gone)
             {
-                cloud_.deleteParticle(p);
-                f.parcel = nullptr;
-                out.gone = true;
                 return out;
             }
-            if (td_->switchProcessor)
-            {
-                // The other side of a period
-                done = false;
-                take = true;
-            }
-            else
-            {
-                done = proceed(f, out.m);
-            }
+            done = done && proceed(f, out.m);
             break;
 
         case FINISH:
@@ -270,6 +222,12 @@ Foam::EventDrivenCollisions<CloudType>::answer(const request& r)
 
     if (!done)
     {
+        if (!together_)
+        {
+            // The rank behind the face is told when its turn comes
+            out.toRank = Pstream::myProcNo();
+            return out;
+        }
         pack(f, out, take || takesParcel(out.m));
         if (f.parcel && out.m.kind == REST)
         {
@@ -286,6 +244,40 @@ Foam::EventDrivenCollisions<CloudType>::answer(const request& r)
 
 
 template<class CloudType>
+bool Foam::EventDrivenCollisions<CloudType>::hit(flight& f, response& out)
+{
+    parcelType& p = *f.parcel;
+    f.keep = f.keep && out.m.keep;
+    settleHere(f);
+    act(f);
+    td_->keepParticle = f.keep;
+    td_->switchProcessor = false;
+    if (f.keep)
+    {
+        // What a wall model lifts a parcel off the face by could press it
+        // into another
+        const bool wall =
+            isA<wallPolyPatch>(cloud_.mesh().boundaryMesh()[p.patch()]);
+        const typename parcelType::place here(p);
+        p.hitFace(p.U(), cloud_, *td_);
+        if (wall && td_->keepParticle)
+        {
+            here.restore(p);
+        }
+    }
+    if (!td_->keepParticle)
+    {
+        drop(f);
+        out.gone = true;
+        return true;
+    }
+
+    // If not, on the other side of a period
+    return !td_->switchProcessor;
+}
+
+
+template<class CloudType>
 typename Foam::EventDrivenCollisions<CloudType>::response
 Foam::EventDrivenCollisions<CloudType>::ask(const label rank, request& r)
 {
@@ -296,7 +288,7 @@ Foam::EventDrivenCollisions<CloudType>::ask(const label rank, request& r)
     r.blobSize = r.kind == RECEIVE ? blob_.size() : 0;
     sendBytes(rank, &r, sizeof(r));
     sendBytes(rank, blob_.data(), r.blobSize);
-    response out{0, -1, -1, 0, false, r.m};
+    response out(0, r.m);
     receiveBytes(rank, &out, sizeof(out));
     blob_.resize(out.blobSize);
     receiveBytes(rank, &blob_[0], out.blobSize);
@@ -305,22 +297,21 @@ Foam::EventDrivenCollisions<CloudType>::ask(const label rank, request& r)
 
 
 template<class CloudType>
-void Foam::EventDrivenCollisions<CloudType>::serve()
+void Foam::EventDrivenCollisions<CloudType>::serve(const label leader)
 {
-    const label master = Pstream::masterNo();
-    request r{FINISH, 0, -1, 0, mission(PLAN, 0)};
+    request r(FINISH, 0, mission(PLAN, 0));
     while (true)
     {
-        receiveBytes(master, &r, sizeof(r));
+        receiveBytes(leader, &r, sizeof(r));
         blob_.resize(r.blobSize);
-        receiveBytes(master, &blob_[0], r.blobSize);
+        receiveBytes(leader, &blob_[0], r.blobSize);
         if (r.kind == FINISH)
         {
             return;
         }
         const response out = answer(r);
-        sendBytes(master, &out, sizeof(out));
-        sendBytes(master, blob_.data(), out.blobSize);
+        sendBytes(leader, &out, sizeof(out));
+        sendBytes(leader, blob_.data(), out.blobSize);
     }
 }
 
@@ -328,10 +319,15 @@ void Foam::EventDrivenCollisions<CloudType>::serve()
 template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::dismiss()
 {
-    const request r{FINISH, 0, -1, 0, mission(PLAN, 0)};
-    for (label rank = 1; rank < Pstream::nProcs(); ++rank)
+    request r(FINISH, 0, mission(PLAN, 0));
+    r.blobSize = blob_.size();
+    for (label rank = 0; rank < Pstream::nProcs(); ++rank)
     {
-        sendBytes(rank, &r, sizeof(r));
+        if (rank != Pstream::myProcNo())
+        {
+            sendBytes(rank, &r, sizeof(r));
+            sendBytes(rank, blob_.data(), r.blobSize);
+        }
     }
 }
 
@@ -339,9 +335,9 @@ void Foam::EventDrivenCollisions<CloudType>::dismiss()
 template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::fly(course& c, mission& m)
 {
-    c.next = -1;
-    request r{MOVE, c.slot, -1, 0, m};
-    response out = ask(c.rank, r);
+    c.handedOn = false;
+    request r(MOVE, c.home.slot, m);
+    response out = ask(c.home.rank, r);
     follow(c, m, out);
 }
 
@@ -354,8 +350,23 @@ void Foam::EventDrivenCollisions<CloudType>::follow
     response& out
 )
 {
-    label* link = &c.next;
-    label lastOfChain = -1;
+    if (out.toRank >= 0 && !together_)
+    {
+        if (takesParcel(out.m))
+        {
+            FatalErrorInFunction
+                << "Cloud " << cloud_.name() << ": a parcel has left its path"
+                << " at " << fromCore(out.m.path.x) << " for another rank"
+                << abort(FatalError);
+        }
+
+        // Until then its path is the straight one
+        m = out.m;
+        m.end = deltaT_;
+        stopped_.emplace(std::int32_t(&c - courses_.data()), out.m);
+        return;
+    }
+    leg last = c.home;
     while (out.toRank >= 0)
     {
         const label rank = out.toRank;
@@ -363,26 +374,24 @@ void Foam::EventDrivenCollisions<CloudType>::follow
 
         // A parcel on the other side of a period goes on as a whole
         const bool whole = takesParcel(out.m) || !out.m.begun;
-        request r{RECEIVE, 0, out.toPatch, 0, out.m};
+        request r(RECEIVE, 0, out.m);
+        r.patch = out.toPatch;
         out = ask(rank, r);
+        const leg here{rank, out.slot};
         if (whole)
         {
-            c.rank = rank;
-            c.slot = out.slot;
+            c.home = last = here;
         }
         else if (out.m.kind == PLAN)
         {
-            legs_.push_back({rank, out.slot, -1});
-            const label last = label(legs_.size()) - 1;
-            if (lastOfChain < 0)
-            {
-                *link = last;
-            }
-            else
-            {
-                legs_[lastOfChain].next = last;
-            }
-            lastOfChain = last;
+            // A message between its parts must not meet the parcel in blob_
+            const std::string parcel = blob_;
+            request link(LINK, last.slot, out.m);
+            link.next = here;
+            ask(last.rank, link);
+            blob_ = parcel;
+            c.handedOn = true;
+            last = here;
         }
     }
     m = out.m;
@@ -391,9 +400,19 @@ void Foam::EventDrivenCollisions<CloudType>::follow
         mission stop(DISPLACE, m.t);
         stop.setU = true;
         stop.omega = m.omega;
-        request r{MOVE, c.slot, -1, 0, stop};
-        ask(c.rank, r);
+        request r(MOVE, c.home.slot, stop);
+        ask(c.home.rank, r);
     }
+}
+
+
+template<class CloudType>
+void Foam::EventDrivenCollisions<CloudType>::resume(course& c, mission& m)
+{
+    request r(PASS, c.home.slot, m);
+    response out = ask(c.home.rank, r);
+    follow(c, m, out);
+    adoptPlan(c, m);
 }
 
 
@@ -426,85 +445,237 @@ template<class CloudType>
 typename Foam::EventDrivenCollisions<CloudType>::leg
 Foam::EventDrivenCollisions<CloudType>::commitLegs(course& c, bool& keep)
 {
-    leg here{c.rank, c.slot, c.next};
-    while (here.next >= 0)
+    leg here = c.home;
+    while (c.handedOn)
     {
-        request r{COMMIT, here.slot, -1, 0, mission(PLAN, 0)};
-        r.m.keep = keep;
-        keep = ask(here.rank, r).m.keep;
-        here = legs_[here.next];
+        mission m(PLAN, 0);
+        m.keep = keep;
+        request r(COMMIT, here.slot, m);
+        const response out = ask(here.rank, r);
+        keep = out.m.keep;
+        if (out.next.rank < 0)
+        {
+            break;
+        }
+        here = out.next;
     }
+    c.handedOn = false;
     return here;
 }
 
 
 template<class CloudType>
-void Foam::EventDrivenCollisions<CloudType>::commitAll()
+void Foam::EventDrivenCollisions<CloudType>::watch(const std::int32_t i)
 {
-    for (course& c : courses_)
+    course& c = courses_[i];
+    if (!Pstream::parRun() || c.shared)
     {
-        if (c.next >= 0 && !c.resting)
+        return;
+    }
+    c.shared = stopped_.count(i) || meetsOthers(boxOf(c));
+    if (c.shared)
+    {
+        sharedAt_[c.identity] = i;
+        if (!together_)
         {
-            mission m(PLAN, deltaT_);
-            const leg last = commitLegs(c, m.keep);
-            request r{ADOPT, last.slot, -1, 0, m};
-            ask(last.rank, r);
+            news_.push_back(i);
         }
     }
 }
 
 
 template<class CloudType>
-void Foam::EventDrivenCollisions<CloudType>::planAll()
+typename Foam::EventDrivenCollisions<CloudType>::call
+Foam::EventDrivenCollisions<CloudType>::callOf
+(
+    const impact::collisionEvent& e
+) const
 {
-    const label rank = Pstream::myProcNo();
-    courses_.clear();
-    grow(courses_, flights_.size());
-    legs_.clear();
-    for (std::size_t i = 0; i < flights_.size(); ++i)
+    call c{e.time, -1, -1, -1, -1, scalar(e.image), GREAT, GREAT};
+    c[6] = Pstream::myProcNo();
+    const auto name = [&](const label at, const std::int32_t i)
     {
-        flight& f = flights_[i];
-        if (!f.parcel)
+        const std::uint64_t identity = courses_[i].identity;
+        c[at] = scalar(identity >> 32);
+        c[at + 1] = scalar(std::uint32_t(identity));
+    };
+    name(1, e.first);
+    if (e.second >= 0)
+    {
+        name(3, e.second);
+    }
+    return c;
+}
+
+
+template<class CloudType>
+typename Foam::EventDrivenCollisions<CloudType>::call
+Foam::EventDrivenCollisions<CloudType>::agree()
+{
+    call mine(GREAT);
+    impact::collisionEvent e;
+    if (!news_.empty())
+    {
+        const std::int32_t i = news_[0];
+        mine = callOf({courses_[i].path.start, i, -1, 0, 0, 0});
+    }
+    else
+    {
+        if (step_.nextShared(e))
         {
+            mine = callOf(e);
+        }
+        if (step_.next(e))
+        {
+            mine[7] = e.time;
+        }
+    }
+    reduce
+    (
+        mine,
+        [](const call& a, const call& b)
+        {
+            call first = before(a, b) ? a : b;
+            first[7] = min(a[7], b[7]);
+            return first;
+        }
+    );
+    return mine;
+}
+
+
+template<class CloudType>
+void Foam::EventDrivenCollisions<CloudType>::settleSlice()
+{
+    call last(-GREAT);
+    while (true)
+    {
+        const call first = agree();
+        const scalar t = first[0];
+        if (t == GREAT && first[7] == GREAT)
+        {
+            return;
+        }
+        const bool again = !before(first, last) && !before(last, first);
+        if (first[7] <= t && !again)
+        {
+            // An event may bring forth a shared one: agree again
+            together_ = false;
+            impact::collisionEvent e;
+            while
+            (
+                news_.empty() && step_.next(e)
+             && (e.time < t || (e.time == t && before(callOf(e), first)))
+            )
+            {
+                step_.happen(*this, e);
+            }
+            together_ = true;
+            last = first;
             continue;
         }
-        mission m(PLAN, 0);
-        const bool done = plan(f, m);
-        course c;
-        c.identity = identityOf(*f.parcel);
-        c.radius = 0.5*f.parcel->d();
-        c.firstHit = -GREAT;
-        c.hits = 0;
-        c.events = 0;
-        c.held = false;
-        c.pull = 0;
-        c.rank = rank;
-        c.slot = i;
-        c.next = done ? -1 : -2;
-        adoptPlan(c, m);
-        courses_.push_back(c);
-    }
-    if (!Pstream::parRun())
-    {
-        return;
-    }
-    gather(courses_);
-    if (!Pstream::master())
-    {
-        return;
-    }
-    for (course& c : courses_)
-    {
-        if (c.next == -2)
+        last = call(-GREAT);
+        const label leader = label(first[6]);
+        if (leader == Pstream::myProcNo())
         {
-            mission m(PLAN, 0);
-            m.begun = true;
-            m.path = c.path;
-            c.next = -1;
-            request r{PASS, c.slot, -1, 0, m};
-            response out = ask(c.rank, r);
-            follow(c, m, out);
-            adoptPlan(c, m);
+            lead();
         }
+        else
+        {
+            serve(leader);
+            takeOver(t);
+        }
+    }
+}
+
+
+template<class CloudType>
+void Foam::EventDrivenCollisions<CloudType>::lead()
+{
+    std::vector<std::int32_t> changed;
+    impact::collisionEvent e;
+    if (!news_.empty())
+    {
+        changed.swap(news_);
+        for (const std::int32_t i : changed)
+        {
+            const auto stopped = stopped_.find(i);
+            if (stopped != stopped_.end())
+            {
+                mission m = stopped->second;
+                stopped_.erase(stopped);
+                resume(courses_[i], m);
+                step_.change(*this, courses_[i].path.start, i, -1);
+            }
+        }
+    }
+    else if (step_.nextShared(e))
+    {
+        step_.happen(*this, e);
+        changed.push_back(e.first);
+        if (e.second >= 0)
+        {
+            changed.push_back(e.second);
+        }
+    }
+    blob_.clear();
+    for (const std::int32_t i : changed)
+    {
+        append(blob_, courses_[i]);
+    }
+    dismiss();
+}
+
+
+template<class CloudType>
+void Foam::EventDrivenCollisions<CloudType>::takeOver(const scalar t)
+{
+    std::vector<course> changed;
+    take(blob_, changed);
+    std::vector<std::int32_t> here;
+    for (course& c : changed)
+    {
+        const bool own = c.home.rank == Pstream::myProcNo();
+        const auto known = sharedAt_.find(c.identity);
+        if (known != sharedAt_.end())
+        {
+            const std::int32_t i = known->second;
+            courses_[i] = c;
+            courses_[i].shared = true;
+            if (c.gone)
+            {
+                step_.remove(i);
+            }
+            else
+            {
+                here.push_back(i);
+            }
+        }
+        else if (!c.gone && (own || (c.shared && mayMeet(boxOf(c)))))
+        {
+            const std::int32_t i = courses_.size();
+            courses_.push_back(c);
+            courses_[i].shared = true;
+            sharedAt_[c.identity] = i;
+            step_.add(*this);
+            here.push_back(i);
+        }
+    }
+    for (const std::int32_t i : here)
+    {
+        step_.change(*this, t, i, -1);
+    }
+}
+
+
+template<class CloudType>
+void Foam::EventDrivenCollisions<CloudType>::settle()
+{
+    step_.begin(*this, deltaT_);
+    const int nSlices = returnReduce(step_.slices(), maxOp<label>());
+    for (int k = 0; k < nSlices; ++k)
+    {
+        step_.beginSlice(*this, k, nSlices);
+        settleSlice();
     }
 }

@@ -160,10 +160,16 @@ def step_counts(log):
             + re.findall(r"Injections upon others\s*= (.*); in all", log))
 
 
+def of_ranks(log, label):
+    """Numbers of the ranks in the last line of the cloud."""
+    line = re.findall(re.escape(label) + r"\s*= (.*)", log)[-1]
+    return np.array([int(v) for v in line.split()])
+
+
 def on_ranks(name, start, n):
     """Five steps from the same parcels on one rank and on several: the same
     events, and after the first step the same state."""
-    logs, first, between = {}, {}, 0
+    logs, first, between, late, searched = {}, {}, 0, 0, {}
     for several in (False, True):
         case = copy_case(start, name + ("Ranks" if several else "One"))
         begin = float(times_of(case)[-1])
@@ -180,6 +186,10 @@ def on_ranks(name, start, n):
         first[several], sizes = states(case, time)
         if several:
             between = totals(log, "Pairs, hand-overs between ranks")
+            late = log.count("Pairs searched out of order")
+            own = of_ranks(log, "Parcels of each rank")
+            halo = of_ranks(log, "Halo of each rank")
+        searched[several] = of_ranks(log, "Pairs searched by each rank")
     worst = np.inf
     if first[False].keys() == first[True].keys() and first[False]:
         worst = max(max(np.abs(u - first[True][i][0]).max()/300,
@@ -187,15 +197,26 @@ def on_ranks(name, start, n):
                     for i, (u, w) in first[False].items())
     verdict(name + "_has_the_same_events",
             logs[False] == logs[True] and len(logs[True]) >= 5
-            and np.all(between > 0),
-            f"{logs[False]} {logs[True]}, between ranks {between}")
+            and np.all(between > 0) and not late,
+            f"{logs[False]} {logs[True]}, between ranks {between}, {late} out"
+            " of order")
     verdict(name + "_has_the_same_state", worst < 1e-10,
             f"parcels {sizes}, largest difference {worst:.2g}")
+    return own, halo, searched[True], searched[False][0]
 
 
 on_ranks("stock_2", "stockHalf", (1, 2, 1))
 on_ranks("embeddedRK54_2", "embeddedRK54Half", (1, 2, 1))
 on_ranks("embeddedRK54_4", "embeddedRK54Half", (2, 2, 1))
+
+# In layers across the streams all ranks have about as much to do: none more
+# than its own and its halo
+own, halo, searched, alone = on_ranks("layers_4", "embeddedRK54Half", (1, 4, 1))
+share = (own + halo)/own.sum()
+verdict("ranks_share_the_search",
+        np.all(halo > 0) and np.all(share < 1)
+        and np.all(searched < 1.2*share*alone) and searched.sum() >= alone,
+        f"parcels {own}, halo {halo}, pairs {searched}, of one rank {alone}")
 
 
 
@@ -213,6 +234,12 @@ on_ranks("periodic_3", half("periodic", "embeddedRK54", "cyclic"), (1, 3, 1))
 on_ranks("space_2", half("space", "embeddedRK54", layers=3, change=lambda cloud:
                          cloud.replace("Fraction 3e-2", "Fraction 4e-3")),
          (1, 1, 2))
+# Parcels that lose most of their energy, come to rest and are held
+on_ranks("collapse_4", half("collapse", "embeddedRK54", change=lambda cloud:
+                            cloud.replace("restitution 0.9; friction 0.2",
+                                          "restitution 0.1; friction 0.5")
+                            .replace("e 0.8; mu 0.1", "e 0.05; mu 0.4")),
+         (2, 2, 1))
 on_ranks("separate_2", half("separate", "stock", change=lambda cloud:
                             cloud.replace("eventDriven;", "eventDriven;"
                                           " overlappingInjection separate;")),

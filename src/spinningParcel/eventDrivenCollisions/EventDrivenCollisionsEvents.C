@@ -1,0 +1,150 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "EventDrivenCollisions.H"
+
+#include <limits>
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+template<class CloudType>
+void Foam::EventDrivenCollisions<CloudType>::collide
+(
+    const std::int32_t i,
+    const std::int32_t j,
+    const impact::vector3& separation,
+    const double t
+)
+{
+    course& a = courses_[i];
+    course& b = courses_[j];
+    const double pull = a.pull + b.pull;
+    bool resting = false;
+    const auto arrival = [&](course& c)
+    {
+        mission m(c.resting ? END_REST : ARRIVE, t);
+        m.path = c.path;
+        if (c.held)
+        {
+            m.mass = std::numeric_limits<scalar>::infinity();
+            return m;
+        }
+        fly(c, m);
+        return m;
+    };
+    mission aThen = arrival(a);
+    mission bThen = arrival(b);
+    const auto go = [&](course& c, mission& then)
+    {
+        if (c.held)
+        {
+            return;
+        }
+        if (then.boundary)
+        {
+            ++c.events;
+            adoptPlan(c, then);
+            return;
+        }
+        mission m = next(c, resting ? REST : PLAN, resting, t, pull);
+        m.U = then.U;
+        m.omega = then.omega;
+        m.setU = true;
+        fly(c, m);
+        adoptPlan(c, m);
+    };
+    if (!aThen.boundary && !bThen.boundary)
+    {
+        const impact::collidingSphere first
+        {
+            toCore(aThen.U), toCore(aThen.omega), aThen.mass, a.radius
+        };
+        const impact::collidingSphere second
+        {
+            toCore(bThen.U), toCore(bThen.omega), bThen.mass, b.radius
+        };
+        const impact::vector3 n = (1/impact::mag(separation))*separation;
+        const double approach = impact::dot(n, first.v - second.v);
+        resting =
+            a.held || b.held
+         || (
+                approach <= atRest(pull)
+             && (duration_.rests(a.recent, t) || duration_.rests(b.recent, t))
+            );
+        const bool elastic = !resting
+         && (
+                duration_.elastic(a.recent, t, approach, pull)
+             || duration_.elastic(b.recent, t, approach, pull)
+            );
+        const impact::pairCollision out =
+            (resting ? restingLaw_ : law_).collide(first, second, n, elastic);
+
+        // Forces that press may not have made a speed yet
+        const bool slow = duration_.slow(approach, pull);
+        duration_.count(a.recent, t, slow);
+        duration_.count(b.recent, t, slow);
+        if (approach > 0)
+        {
+            ++report_.pairEvents;
+            report_.rankPairs += a.home.rank != b.home.rank;
+            report_.restitutionLoss += out.restitutionLoss;
+            report_.frictionLoss += out.frictionLoss;
+        }
+        aThen.U = fromCore(out.v1);
+        bThen.U = fromCore(out.v2);
+        if (law_.spin())
+        {
+            aThen.omega = fromCore(out.omega1);
+            bThen.omega = fromCore(out.omega2);
+        }
+    }
+    go(a, aThen);
+    go(b, bThen);
+    watch(i);
+    watch(j);
+}
+
+
+template<class CloudType>
+bool Foam::EventDrivenCollisions<CloudType>::hitWall
+(
+    const std::int32_t i,
+    const double t
+)
+{
+    course& c = courses_[i];
+    if (c.resting)
+    {
+        mission m(END_REST, t);
+        m.path = c.path;
+        fly(c, m);
+        c.pull = m.pull >= 0 ? m.pull : c.pull;
+        mission then = next(c, PLAN, true, t, c.pull);
+        fly(c, then);
+        adoptPlan(c, then);
+        watch(i);
+        return true;
+    }
+
+    // A parcel that is pressed against a wall does not bounce for ever
+    if (t - c.firstHit >= duration_.value())
+    {
+        c.firstHit = t;
+        c.hits = 0;
+    }
+    const bool rests = ++c.hits > 8;
+    mission m = next(c, rests ? REST : PLAN, rests, t, c.pull);
+    c.home = commitLegs(c, m.keep);
+    request r(HIT, c.home.slot, m);
+    response done = ask(c.home.rank, r);
+    c.gone = done.gone;
+    if (c.gone)
+    {
+        return false;
+    }
+    follow(c, m, done);
+    adoptPlan(c, m);
+    watch(i);
+    return true;
+}

@@ -1,0 +1,380 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "EventDrivenCollisions.H"
+#include "PstreamBuffers.H"
+
+#include <cstring>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class CloudType>
+impact::sweptBox Foam::EventDrivenCollisions<CloudType>::boxOf
+(
+    const course& c
+) const
+{
+    impact::sweptBox box;
+    for (int k = 0; k < 3; ++k)
+    {
+        c.path.range(k, 0, deltaT_, box.low[k], box.high[k]);
+        box.low[k] -= c.radius;
+        box.high[k] += c.radius;
+    }
+    return box;
+}
+
+
+template<class CloudType>
+bool Foam::EventDrivenCollisions<CloudType>::meetsOthers
+(
+    const impact::sweptBox& box
+) const
+{
+    return box.extent() > reach_ || territories_->foreign(box);
+}
+
+
+template<class CloudType>
+bool Foam::EventDrivenCollisions<CloudType>::mayMeet
+(
+    const impact::sweptBox& box
+) const
+{
+    return
+        box.extent() > reach_
+     || territories_->near(Pstream::myProcNo(), box);
+}
+
+
+template<class CloudType>
+typename Foam::EventDrivenCollisions<CloudType>::post
+Foam::EventDrivenCollisions<CloudType>::exchange(post& out)
+{
+    PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
+    for (std::size_t rank = 0; rank < out.size(); ++rank)
+    {
+        if (!out[rank].empty())
+        {
+            UOPstream stream(rank, buffers);
+            stream<< UList<char>(&out[rank][0], out[rank].size());
+            out[rank].clear();
+        }
+    }
+    labelList sizes;
+    buffers.finishedSends(sizes);
+    post in(Pstream::nProcs());
+    forAll(sizes, rank)
+    {
+        if (sizes[rank])
+        {
+            UIPstream stream(rank, buffers);
+            const List<char> bytes(stream);
+            in[rank].assign(bytes.cdata(), bytes.size());
+        }
+    }
+    return in;
+}
+
+
+template<class CloudType>
+template<class Item>
+void Foam::EventDrivenCollisions<CloudType>::take
+(
+    const std::string& bytes,
+    std::vector<Item>& items
+)
+{
+    const Item* from = reinterpret_cast<const Item*>(bytes.data());
+    items.insert(items.end(), from, from + bytes.size()/sizeof(Item));
+}
+
+
+template<class CloudType>
+template<class Item>
+void Foam::EventDrivenCollisions<CloudType>::gather(std::vector<Item>& items)
+{
+    if (!Pstream::parRun())
+    {
+        return;
+    }
+    labelList sizes(Pstream::nProcs(), 0);
+    sizes[Pstream::myProcNo()] = items.size();
+    Pstream::gatherList(sizes);
+    if (!Pstream::master())
+    {
+        sendBytes(Pstream::masterNo(), items.data(), items.size()*sizeof(Item));
+        return;
+    }
+    std::size_t total = 0;
+    for (const label n : sizes)
+    {
+        total += n;
+    }
+    items.reserve(total);
+    std::string bytes;
+    for (label rank = 1; rank < Pstream::nProcs(); ++rank)
+    {
+        bytes.resize(sizes[rank]*sizeof(Item));
+        receiveBytes(rank, &bytes[0], bytes.size());
+        take(bytes, items);
+    }
+}
+
+
+template<class CloudType>
+void Foam::EventDrivenCollisions<CloudType>::planAll()
+{
+    const label rank = Pstream::myProcNo();
+    courses_.clear();
+    grow(courses_, flights_.size());
+    for (std::size_t i = 0; i < flights_.size(); ++i)
+    {
+        flight& f = flights_[i];
+        if (!f.parcel)
+        {
+            continue;
+        }
+        mission m(PLAN, 0);
+        course c;
+        c.handedOn = !plan(f, m);
+        c.identity = identityOf(*f.parcel);
+        c.radius = 0.5*f.parcel->d();
+        c.firstHit = -GREAT;
+        c.hits = 0;
+        c.events = 0;
+        c.held = false;
+        c.shared = false;
+        c.gone = false;
+        c.pull = 0;
+        c.home = {rank, label(i)};
+        adoptPlan(c, m);
+        courses_.push_back(c);
+    }
+    if (Pstream::parRun())
+    {
+        handOn();
+        makeHalo();
+    }
+}
+
+
+template<class CloudType>
+void Foam::EventDrivenCollisions<CloudType>::write
+(
+    post& out,
+    const label rank,
+    const request& n
+)
+{
+    append(out[rank], n);
+    out[rank].append(blob_, 0, n.blobSize);
+}
+
+
+template<class CloudType>
+void Foam::EventDrivenCollisions<CloudType>::passOn
+(
+    flight& f,
+    const label slot,
+    const leg& home,
+    const mission& m,
+    post& out
+)
+{
+    response packed(slot, m);
+    pack(f, packed, false);
+    request n(RECEIVE, 0, packed.m);
+    n.patch = packed.toPatch;
+    n.blobSize = packed.blobSize;
+    n.home = home;
+    n.next = {Pstream::myProcNo(), slot};
+    write(out, packed.toRank, n);
+    ++report_.handOvers;
+}
+
+
+template<class CloudType>
+void Foam::EventDrivenCollisions<CloudType>::read(const request& n, post& out)
+{
+    switch (n.kind)
+    {
+        case RECEIVE:
+        {
+            unpack(n);
+            const label slot = label(flights_.size()) - 1;
+            request link(LINK, n.next.slot, n.m);
+            link.next = {Pstream::myProcNo(), slot};
+            write(out, n.next.rank, link);
+            mission m = n.m;
+            flight& f = flights_[slot];
+            if (plan(f, m))
+            {
+                write(out, n.home.rank, request(PASS, n.home.slot, m));
+            }
+            else
+            {
+                passOn(f, slot, n.home, m, out);
+            }
+            return;
+        }
+
+        case LINK:
+            flights_[n.slot].next = n.next;
+            return;
+
+        case PASS:
+            adoptPlan(courses_[n.slot], n.m);
+            return;
+
+        default:                    // COMMIT
+            commit(n.slot, n.m.keep, out);
+    }
+}
+
+
+template<class CloudType>
+void Foam::EventDrivenCollisions<CloudType>::deliver(post& out)
+{
+    const auto any = [&]()
+    {
+        bool some = false;
+        for (const std::string& bytes : out)
+        {
+            some = some || !bytes.empty();
+        }
+        return returnReduce(some, orOp<bool>());
+    };
+    while (any())
+    {
+        for (const std::string& bytes : exchange(out))
+        {
+            for (std::size_t at = 0; at < bytes.size();)
+            {
+                request n(LINK, 0, mission(PLAN, 0));
+                std::memcpy(static_cast<void*>(&n), &bytes[at], sizeof(n));
+                at += sizeof(n);
+                blob_.assign(bytes, at, n.blobSize);
+                at += n.blobSize;
+                read(n, out);
+            }
+        }
+    }
+}
+
+
+template<class CloudType>
+void Foam::EventDrivenCollisions<CloudType>::handOn()
+{
+    post out(Pstream::nProcs());
+    for (std::size_t i = 0; i < courses_.size(); ++i)
+    {
+        const course& c = courses_[i];
+        if (c.handedOn)
+        {
+            mission m(PLAN, 0);
+            m.begun = true;
+            m.path = c.path;
+            m.end = deltaT_;
+            passOn
+            (
+                flights_[c.home.slot], c.home.slot,
+                {Pstream::myProcNo(), label(i)}, m, out
+            );
+        }
+    }
+    deliver(out);
+}
+
+
+template<class CloudType>
+void Foam::EventDrivenCollisions<CloudType>::makeHalo()
+{
+    std::vector<impact::sweptBox> boxes;
+    boxes.reserve(courses_.size());
+    reach_ = 0;
+    for (const course& c : courses_)
+    {
+        boxes.push_back(boxOf(c));
+        reach_ = max(reach_, boxes.back().extent());
+    }
+    reduce(reach_, maxOp<scalar>());
+    territories_->setReach(reach_);
+
+    sharedAt_.clear();
+    news_.clear();
+    stopped_.clear();
+    post out(Pstream::nProcs());
+    for (std::size_t i = 0; i < courses_.size(); ++i)
+    {
+        course& c = courses_[i];
+        c.shared = meetsOthers(boxes[i]);
+        if (!c.shared)
+        {
+            continue;
+        }
+        sharedAt_[c.identity] = i;
+        for (label rank = 0; rank < Pstream::nProcs(); ++rank)
+        {
+            if
+            (
+                rank != Pstream::myProcNo()
+             && territories_->near(rank, boxes[i])
+            )
+            {
+                append(out[rank], c);
+            }
+        }
+    }
+    work_[0] = courses_.size();
+    for (const std::string& bytes : exchange(out))
+    {
+        take(bytes, courses_);
+    }
+    work_[1] = courses_.size() - work_[0];
+    for (std::size_t i = work_[0]; i < courses_.size(); ++i)
+    {
+        sharedAt_[courses_[i].identity] = i;
+    }
+}
+
+
+template<class CloudType>
+void Foam::EventDrivenCollisions<CloudType>::commit
+(
+    const label slot,
+    const bool keep,
+    post& out
+)
+{
+    mission m(PLAN, deltaT_);
+    m.keep = keep;
+    const response done = answer(request(COMMIT, slot, m));
+    if (done.next.rank < 0)
+    {
+        settleHere(flights_[slot]);
+        return;
+    }
+    m.keep = done.m.keep;
+    write(out, done.next.rank, request(COMMIT, done.next.slot, m));
+}
+
+
+template<class CloudType>
+void Foam::EventDrivenCollisions<CloudType>::commitAll()
+{
+    post out(Pstream::nProcs());
+    for (const course& c : courses_)
+    {
+        if
+        (
+            c.home.rank == Pstream::myProcNo()
+         && c.handedOn && !c.resting && !c.gone
+        )
+        {
+            commit(c.home.slot, true, out);
+        }
+    }
+    deliver(out);
+}

@@ -1,0 +1,231 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "EventDrivenCollisions.H"
+#include "vicinity.H"
+
+#include <algorithm>
+#include <tuple>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class CloudType>
+std::vector<typename Foam::EventDrivenCollisions<CloudType>::memberPair>
+Foam::EventDrivenCollisions<CloudType>::injectedUpon(const vicinity& ofNew)
+{
+    const label me = Pstream::myProcNo();
+    const bool* periodic = step_.grid().domain().periodic;
+    const bool all = periodic[0] || periodic[1] || periodic[2];
+    std::vector<member> members;
+    post out(Pstream::nProcs());
+    for (std::size_t i = 0; i < flights_.size(); ++i)
+    {
+        const flight& f = flights_[i];
+        if (!f.parcel)
+        {
+            continue;
+        }
+        const parcelType& p = *f.parcel;
+        const point x = f.placed ? f.x : p.position();
+        if (!f.injected && !all && !ofNew.near(x))
+        {
+            continue;
+        }
+        members.push_back
+            ({identityOf(p), x, p.d(), p.mass(), {me, label(i)}, f.injected});
+        const impact::sweptBox box = members.back().box();
+        if (territories_.valid() && territories_->foreign(box))
+        {
+            for (label rank = 0; rank < Pstream::nProcs(); ++rank)
+            {
+                if (rank != me && territories_->near(rank, box))
+                {
+                    append(out[rank], members.back());
+                }
+            }
+        }
+    }
+    if (Pstream::parRun())
+    {
+        for (const std::string& bytes : exchange(out))
+        {
+            take(bytes, members);
+        }
+    }
+
+    impact::sweptGrid grid(step_.grid().domain());
+    grid.resize(members.size());
+    for (std::size_t i = 0; i < members.size(); ++i)
+    {
+        grid.box(i) = members[i].box();
+    }
+    grid.build();
+    std::vector<memberPair> pairs;
+    grid.pairs
+    (
+        [&](std::int32_t i, std::int32_t j, std::int32_t image)
+        {
+            if (members[j].identity < members[i].identity)
+            {
+                std::swap(i, j);
+                image = 2*impact::sweptGrid::noImage - image;
+            }
+
+            // The rank of the lower identity has the pair
+            const member& a = members[i];
+            const member& b = members[j];
+            if ((a.injected || b.injected) && a.where.rank == me)
+            {
+                pairs.push_back({a, b, image});
+            }
+        }
+    );
+    gather(pairs);
+    const auto key = [](const memberPair& c)
+    {
+        return std::make_tuple(c.a.identity, c.b.identity, c.image);
+    };
+    std::sort
+    (
+        pairs.begin(), pairs.end(),
+        [&](const memberPair& a, const memberPair& b)
+        {
+            return key(a) < key(b);
+        }
+    );
+    return pairs;
+}
+
+
+template<class CloudType>
+void Foam::EventDrivenCollisions<CloudType>::displaceMember
+(
+    member& a,
+    const vector& way
+)
+{
+    course c;
+    c.home = a.where;
+    mission m(DISPLACE, 0);
+    m.way = way;
+    m.injected = a.injected;
+    fly(c, m);
+    a.where = c.home;
+    a.x = m.way;
+}
+
+
+template<class CloudType>
+Foam::label Foam::EventDrivenCollisions<CloudType>::part
+(
+    const std::vector<memberPair>& pairs
+)
+{
+    // A parcel may be in several pairs
+    std::unordered_map<std::uint64_t, member> members;
+    std::unordered_map<std::uint64_t, bool> removed;
+    label nOverlaps = 0;
+    for (const memberPair& c : pairs)
+    {
+        member& a = members.emplace(c.a.identity, c.a).first->second;
+        member& b = members.emplace(c.b.identity, c.b).first->second;
+        const vector s = solved
+        (
+            b.x - a.x
+          + (
+                c.image == impact::sweptGrid::noImage
+              ? vector(Zero)
+              : fromCore(step_.grid().shift(c.image))
+            )
+        );
+        const scalar sigma = 0.5*(a.d + b.d);
+        const scalar overlap = sigma - mag(s);
+        if
+        (
+            overlap <= 1e-12*sigma
+         || removed[a.identity] || removed[b.identity]
+        )
+        {
+            continue;
+        }
+        ++nOverlaps;
+        if (!separate_)
+        {
+            // The later of the two goes
+            const member& late = b.injected ? b : a;
+            removed[late.identity] = true;
+            request r(REMOVE, late.where.slot, mission(PLAN, 0));
+            ask(late.where.rank, r);
+            continue;
+        }
+        vector along(Zero);
+        along[directions_.x() > 0 ? 0 : 1] = 1;
+        const vector e = mag(s) > 1e-9*sigma ? s/mag(s) : along;
+        const scalar share = b.mass/(a.mass + b.mass);
+        const scalar way = (1 + 1e-9)*overlap;
+        displaceMember(a, -share*way*e);
+        displaceMember(b, (1 - share)*way*e);
+    }
+    return nOverlaps;
+}
+
+
+template<class CloudType>
+void Foam::EventDrivenCollisions<CloudType>::admitInjected()
+{
+    scalar largest = 0;
+    bool any = false;
+    for (const flight& f : flights_)
+    {
+        largest = max(largest, f.parcel->d());
+        any = any || f.injected;
+    }
+    reduce(any, orOp<bool>());
+    if (!any)
+    {
+        return;
+    }
+    reduce(largest, maxOp<scalar>());
+    if (territories_.valid())
+    {
+        territories_->setReach(largest, true);
+    }
+
+    // Others matter near new parcels only, or at the ends of a period
+    vicinity ofNew(bounds_, directions_);
+    for (const flight& f : flights_)
+    {
+        if (f.injected)
+        {
+            ofNew.add(f.x, 2*largest);
+        }
+    }
+    ofNew.reduce();
+
+    // Moving a pair apart may bring one of them upon a third
+    for (label sweep = 0; sweep < (separate_ ? 20 : 1); ++sweep)
+    {
+        const std::vector<memberPair> pairs = injectedUpon(ofNew);
+        label nOverlaps = 0;
+        if (Pstream::master())
+        {
+            nOverlaps = part(pairs);
+            blob_.clear();
+            dismiss();
+            if (sweep == 0)
+            {
+                report_.overlappingInjection = nOverlaps;
+            }
+        }
+        else
+        {
+            serve(Pstream::masterNo());
+        }
+        Pstream::scatter(nOverlaps);
+        if (nOverlaps == 0)
+        {
+            break;
+        }
+    }
+}
