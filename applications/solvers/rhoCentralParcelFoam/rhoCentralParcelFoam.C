@@ -86,6 +86,8 @@ int main(int argc, char* argv[])
         progress.report();
     }
 
+    // Digits enough for times, whatever those of the files are
+    Sout.precision(6);
     Info<< "Gas: " << returnReduce(gas.cpuTime(), sumOp<scalar>())
         << " s of processor time" << endl;
     clouds.info();

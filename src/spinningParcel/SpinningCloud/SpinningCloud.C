@@ -135,7 +135,12 @@ void Foam::SpinningCloud<CloudType>::checkEmbedded()
     }
     for (const word& name : gas)
     {
-        schemes.add(name, scheme);
+        // What the user has given is the same scheme; added once more it
+        // would be warned of
+        if (!schemes.found(name, keyType::LITERAL))
+        {
+            schemes.add(name, scheme);
+        }
     }
     gas_.reset(new cellGas(this->mesh(), scheme));
 
