@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Converging-diverging nozzle between a total pressure and a supersonic
 outlet, as a wedge: steady from any start, whatever stands in the nozzle at
 first; stands in a temporary folder."""
