@@ -212,7 +212,7 @@ void Foam::parcelClouds::info() const
 
         Info<< "Cloud " << cloud.name() << ": "
             << returnReduce(cloud.nParcels(), sumOp<label>()) << " parcels, "
-            << steps << " parcel-steps in " << cpu << " CPU s";
+            << int64_t(steps) << " parcel-steps in " << cpu << " CPU s";
         if (cpu > 0)
         {
             Info<< " (" << steps/cpu << " 1/s)";

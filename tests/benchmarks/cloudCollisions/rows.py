@@ -104,7 +104,7 @@ def run(steps, n, fraction, collisions, ranks=1):
         command = ["mpirun", "--oversubscribe", "-np", str(ranks), *command,
                    "-parallel"]
     log = must("case", "python3", measure, "out", *command)
-    count, cpu = re.search(r"(\d+) parcel-steps in (\S+) CPU s",
+    count, cpu = re.search(r"parcels, (\d+) parcel-steps in (\S+) CPU s",
                            log).groups()
     pairs = re.findall(r"Pair, boundary events.*in all ([^,]+),", log)
     with open("case/out") as file:
