@@ -24,17 +24,3 @@ def stations(groups):
     """Names of the stations [km] in groups.csv."""
     head = 'spreadRadius_'
     return [name[len(head):-2] for name in groups if name.startswith(head)]
-
-
-class Checks:
-    """Prints PASS and FAIL lines; finish() ends the program."""
-
-    def __init__(self):
-        self.failed = 0
-
-    def that(self, ok, what):
-        print(('PASS ' if ok else 'FAIL ') + what)
-        self.failed += not ok
-
-    def finish(self):
-        raise SystemExit(1 if self.failed else 0)

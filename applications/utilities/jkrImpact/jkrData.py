@@ -1,7 +1,6 @@
 # parcelImpact. License: GPL-3.0-or-later, see COPYING.
-"""Reading of the results of jkrImpact, and checks on them."""
+"""Reading of the results of jkrImpact."""
 import csv
-import sys
 
 import numpy as np
 
@@ -31,21 +30,3 @@ class Result:
 
     def trajectory(self, i):
         return self.table(f'trajectory_{i}')
-
-
-class Checks:
-    """Prints PASS and FAIL lines; finish() ends the program."""
-
-    def __init__(self):
-        self.failed = 0
-
-    def that(self, ok, what):
-        print(('PASS ' if ok else 'FAIL ') + what)
-        self.failed += not ok
-
-    def near(self, got, expected, tolerance, what):
-        self.that(abs(got - expected) <= tolerance,
-                  f'{what}: {got:.6g} ({expected:.6g} +- {tolerance:.2g})')
-
-    def finish(self):
-        sys.exit(1 if self.failed else 0)

@@ -1,7 +1,6 @@
 # parcelImpact. License: GPL-3.0-or-later, see COPYING.
-"""Reading of the results of scatteringIndicatrix, and checks on them."""
+"""Reading of the results of scatteringIndicatrix."""
 import csv
-import sys
 
 import numpy as np
 
@@ -31,17 +30,3 @@ def variation(p, q):
     with the same bins; what leaves into the wall counts as one more bin."""
     into = abs((1 - p.F.sum()*p.width) - (1 - q.F.sum()*q.width))
     return 0.5*(np.abs(p.F - q.F).sum()*p.width + into)
-
-
-class Checks:
-    """Prints PASS and FAIL lines; finish() ends the program."""
-
-    def __init__(self):
-        self.failed = 0
-
-    def that(self, ok, what):
-        print(('PASS ' if ok else 'FAIL ') + what)
-        self.failed += not ok
-
-    def finish(self):
-        sys.exit(1 if self.failed else 0)
