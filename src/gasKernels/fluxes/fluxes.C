@@ -54,6 +54,32 @@ VECTOR_INLINE side<nDim> sideOf
 }
 
 
+//- Speeds of the outermost waves between two states after Einfeldt: of the
+//  state's own gas or of the Roe average, whichever is faster
+template<int nDim>
+VECTOR_INLINE void waveSpeeds
+(
+    const side<nDim>& L,
+    const side<nDim>& R,
+    double& sL,
+    double& sR
+)
+{
+    const double rootL = std::sqrt(L.rho);
+    const double rootR = std::sqrt(R.rho);
+    const double sum = 1/(rootL + rootR);
+    const double un = (rootL*L.un + rootR*R.un)*sum;
+    const double d = R.un - L.un;
+    const double a = std::sqrt
+    (
+        (rootL*L.a*L.a + rootR*R.a*R.a)*sum
+      + 0.5*rootL*rootR*sum*sum*d*d
+    );
+    sL = least(L.un - L.a, un - a);
+    sR = most(R.un + R.a, un + a);
+}
+
+
 //- Flux = mass flux times the upwind state + pressure along the normal, the
 //  form common to the AUSM family
 template<int nDim>
@@ -127,8 +153,7 @@ VECTOR_INLINE double beta(const double M)
 }
 
 
-template<bool Enthalpy>
-struct centralUpwind
+struct Kurganov
 {
     template<int nDim>
     static VECTOR_INLINE void flux
@@ -141,13 +166,28 @@ struct centralUpwind
     {
         const double sR = most(most(L.un + L.a, R.un + R.a), 0);
         const double sL = least(least(L.un - L.a, R.un - R.a), 0);
-        twoWaves<Enthalpy>(block, i, L, R, sL, sR);
+        twoWaves<false>(block, i, L, R, sL, sR);
     }
 };
 
 
-typedef centralUpwind<false> Kurganov;
-typedef centralUpwind<true> shock;
+struct shock
+{
+    template<int nDim>
+    static VECTOR_INLINE void flux
+    (
+        faceBlock& block,
+        const int i,
+        const side<nDim>& L,
+        const side<nDim>& R
+    )
+    {
+        double sL;
+        double sR;
+        waveSpeeds<nDim>(L, R, sL, sR);
+        twoWaves<true>(block, i, L, R, least(sL, 0), most(sR, 0));
+    }
+};
 
 
 struct Tadmor
@@ -273,19 +313,9 @@ struct HLLC
         const side<nDim>& R
     )
     {
-        // Einfeldt's speeds from the Roe average
-        const double rootL = std::sqrt(L.rho);
-        const double rootR = std::sqrt(R.rho);
-        const double sum = 1/(rootL + rootR);
-        const double un = (rootL*L.un + rootR*R.un)*sum;
-        const double d = R.un - L.un;
-        const double a = std::sqrt
-        (
-            (rootL*L.a*L.a + rootR*R.a*R.a)*sum
-          + 0.5*rootL*rootR*sum*sum*d*d
-        );
-        const double sL = least(L.un - L.a, un - a);
-        const double sR = most(R.un + R.a, un + a);
+        double sL;
+        double sR;
+        waveSpeeds<nDim>(L, R, sL, sR);
 
         const double dL = L.rho*(sL - L.un);
         const double dR = R.rho*(sR - R.un);

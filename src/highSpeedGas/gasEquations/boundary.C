@@ -206,57 +206,63 @@ void Foam::gasEquations::wallPressure(const label f, double& p) const
     // In the first instants of an impulsive start the pressure next to the
     // wall varies by more than itself
     p = pc + max(-0.5*pc, min(0.5*pc, change));
+
+    // In a cell whose gradient is its neighbours' the gas could flow into the
+    // wall without being stopped: the wall sends back the acoustic wave that
+    // stops it
+    if (geometry_.flat[c])
+    {
+        double a;
+        const double un = outwardSpeed(f, &primitive[c*nVar_], a);
+        const double rho = pc/(closure_.R*primitive[c*nVar_ + 1]);
+        p += max(-0.5*pc, rho*a*un);
+    }
 }
 
 
-double Foam::gasEquations::normalMach
+double Foam::gasEquations::outwardSpeed
 (
     const label f,
     const double* q,
-    double& un
+    double& a
 ) const
 {
     const int nDim = geometry_.nDim();
     const double* n = &geometry_.normal[f*nDim];
-    un = 0;
+    double un = 0;
     for (int d = 0; d < nDim; d++)
     {
         un += q[2 + d]*n[d];
     }
-    return
-        un
-       /std::sqrt
-        (
-            closure_.thermallyPerfect()
-          ? closure_.soundSpeedSqr<true>(q[1])
-          : closure_.soundSpeedSqr<false>(q[1])
-        );
+    a = std::sqrt
+    (
+        closure_.thermallyPerfect()
+      ? closure_.soundSpeedSqr<true>(q[1])
+      : closure_.soundSpeedSqr<false>(q[1])
+    );
+    return un;
 }
 
 
 void Foam::gasEquations::drain(const label f, double* q) const
 {
-    double un;
-    const double Mn = normalMach(f, q, un);
-    if (Mn >= 1)
+    double a;
+    const double un = outwardSpeed(f, q, a);
+    if (un >= a)
     {
         return;
     }
 
     // Simple wave that leaves the gas behind it: u + 2 a/(gamma - 1) constant
     const int nDim = geometry_.nDim();
-    const double a2 =
-        closure_.thermallyPerfect()
-      ? closure_.soundSpeedSqr<true>(q[1])
-      : closure_.soundSpeedSqr<false>(q[1]);
-    const double gamma = a2/(closure_.R*q[1]);
-    const double share = max(((gamma - 1)*Mn + 2)/(gamma + 1), 0.1);
+    const double gamma = a*a/(closure_.R*q[1]);
+    const double share = max(((gamma - 1)*un/a + 2)/(gamma + 1), 0.1);
     q[0] *= std::pow(share, 2*gamma/(gamma - 1));
     q[1] *= sqr(share);
     for (int d = 0; d < nDim; d++)
     {
         q[2 + d] +=
-            (share*std::sqrt(a2) - un)*geometry_.normal[f*nDim + d];
+            (share*a - un)*geometry_.normal[f*nDim + d];
     }
 }
 
@@ -272,9 +278,11 @@ bool Foam::gasEquations::subsonicOutlet() const
         for (label i = 0; i < patch.size && outlet_[k]; i++)
         {
             const label f = patch.start + i;
-            double un;
+            double a;
             area += geometry_.area[f];
-            if (normalMach(f, &primitive[geometry_.owner[f]*nVar_], un) < 1)
+            const double un =
+                outwardSpeed(f, &primitive[geometry_.owner[f]*nVar_], a);
+            if (un < a)
             {
                 subsonic += geometry_.area[f];
             }

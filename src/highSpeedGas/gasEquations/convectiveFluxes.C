@@ -106,6 +106,59 @@ void Foam::gasEquations::gradients()
 
     geometry_.exchange(g, nVar*nDim);
     geometry_.reflectGradients(g);
+    if (geometry_.anyUnaligned)
+    {
+        widenGradients<nDim>();
+    }
+}
+
+
+template<int nDim>
+void Foam::gasEquations::widenGradients()
+{
+    constexpr int n = (nDim + 2)*nDim;
+    const std::vector<int>& cells = geometry_.unaligned;
+    wideGradient_.resize(cells.size()*n);
+
+    double* wide = wideGradient_.data();
+    for (const int c : cells)
+    {
+        double sum[n] = {};
+        int nBehind = 0;
+        for (int i = geometry_.cellStart[c]; i < geometry_.cellStart[c + 1]; i++)
+        {
+            const int f = geometry_.faceOf[i];
+            if (geometry_.gasBehind[f])
+            {
+                const int other =
+                    geometry_.owner[f] == c
+                  ? geometry_.far[f]
+                  : geometry_.owner[f];
+                const double* g = &gradient_[other*n];
+                for (int k = 0; k < n; k++)
+                {
+                    sum[k] += g[k];
+                }
+                nBehind++;
+            }
+        }
+        const double own = geometry_.flat[c] ? 0 : 0.5;
+        const double* g = &gradient_[c*n];
+        for (int k = 0; k < n; k++)
+        {
+            wide[k] = own*g[k] + (1 - own)/nBehind*sum[k];
+        }
+        wide += n;
+    }
+
+    wide = wideGradient_.data();
+    for (const int c : cells)
+    {
+        std::copy_n(wide, n, &gradient_[c*n]);
+        wide += n;
+    }
+    geometry_.exchange(gradient_.data(), n);
+    geometry_.reflectGradients(gradient_.data());
 }
 
 

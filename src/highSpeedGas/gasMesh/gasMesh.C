@@ -213,6 +213,67 @@ void Foam::gasMesh::setFaces()
 }
 
 
+void Foam::gasMesh::setAlignment()
+{
+    gasBehind.assign(nFaces_, 0);
+    std::fill_n(gasBehind.begin(), nInternal_, 1);
+    for (const patchRange& patch : patches_)
+    {
+        std::fill_n
+        (
+            gasBehind.begin() + patch.start,
+            patch.size,
+            patch.coupled || patch.symmetry
+        );
+    }
+
+    // The cosine of the angle between two ways out of a cell that lie on one
+    // line. On hexahedra it is -0.9 and less, a face between one coarse and
+    // four fine cells included; on the axis of a wedge, where the images are
+    // turned by 120 degrees, -0.87; on regular tetrahedra it is -1/3.
+    const double opposite = -0.8;
+
+    unaligned.clear();
+    for (label c = 0; c < nCells_; c++)
+    {
+        const int start = cellStart[c];
+        const int end = cellStart[c + 1];
+        auto cosine = [&](const int f, const int g)
+        {
+            const double* x = &delta[f*nDim_];
+            const double* y = &delta[g*nDim_];
+            double xx = 0;
+            double yy = 0;
+            double xy = 0;
+            for (int d = 0; d < nDim_; d++)
+            {
+                xx += x[d]*x[d];
+                yy += y[d]*y[d];
+                xy += x[d]*y[d];
+            }
+            const bool sameSide = (owner[f] == c) == (owner[g] == c);
+            return (sameSide ? xy : -xy)/std::sqrt(xx*yy);
+        };
+
+        bool onLines = true;
+        for (int i = start; i < end && onLines; i++)
+        {
+            double least = 1;
+            for (int j = start; j < end && gasBehind[faceOf[i]]; j++)
+            {
+                least = min(least, cosine(faceOf[i], faceOf[j]));
+            }
+            onLines = !gasBehind[faceOf[i]] || least <= opposite;
+        }
+        if (!onLines)
+        {
+            unaligned.push_back(c);
+        }
+    }
+    anyUnaligned = returnReduce(!unaligned.empty(), orOp<bool>());
+}
+
+
 void Foam::gasMesh::setImages()
 {
     lsqWeight_.assign(nFaces_, 1);
@@ -474,6 +535,23 @@ void Foam::gasMesh::setLeastSquares(const boolList& excluded)
         }
     }
 
+    flat.assign(nCells_, 0);
+    for (const int c : unaligned)
+    {
+        const symmTensor& m = moment[c];
+        const vector spread
+        (
+            nDim_ == 3
+          ? eigenValues(m)
+          : eigenValues
+            (
+                symmTensor(m.xx(), m.xy(), 0, m.yy(), 0, 4*(m.xx() + m.yy()))
+            )
+        );
+        // (in ascending order)
+        flat[c] = spread[0] < 0.1*spread[nDim_ - 1];
+    }
+
     // Directions in which a cell has no neighbours get no gradient: the
     // moment of a unit stencil there keeps the matrix regular without adding
     // to the gradient
@@ -537,6 +615,7 @@ Foam::gasMesh::gasMesh(const fvMesh& mesh)
     setDirections();
     setFaces();
     setImages();
+    setAlignment();
 
     sendBuffer_.setSize(mesh.boundaryMesh().size());
     setRadii();

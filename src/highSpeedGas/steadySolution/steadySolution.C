@@ -149,8 +149,8 @@ bool Foam::steadySolution::solve(const bool near)
 {
     Info<< "Gas: looking for the steady state" << endl;
 
-    // Differences of 0.03 % between cells pass the limiter
-    equations_.smoothLimiter(3e-4);
+    // Differences of 0.1 % between cells pass the limiter
+    equations_.smoothLimiter(1e-3);
     equations_.flattenShocks();
 
     if (settings_.implicit)

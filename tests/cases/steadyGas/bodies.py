@@ -48,10 +48,9 @@ def report(case, text):
     return int(match[1]), max(map(float, match.groups()[1:]))
 
 
-# What leaves along a shock of some cells' width is a first-order effect of the
-# mesh: with cells of a sixtieth of the radius, nine of them in the layer, the
-# stagnation pressure is low by 1.6 % and the shock stands too far by 0.3 % of
-# the radius
+# With cells of a sixtieth of the radius, nine of them in the layer, the wall's
+# velocity gradient is still high by a third (by a sixth with cells of half the
+# size): its bounds are to tell a vortex, and gas that gathers on the axis
 CELLS, OUTER = (60, 80), 2
 for flux in "HLLC", "Kurganov":
     case = "sphere_" + flux
@@ -62,13 +61,13 @@ for flux in "HLLC", "Kurganov":
     verdict(case + "_steady", steady[1] <= 1e-6,
             f"imbalance {steady[1]:.1e} after {steady[0]} iterations")
     p0, H, standoff, gradient, against = layer(case, CELLS, OUTER, 6)
-    verdict(case + "_stagnation_pressure", -0.025 < p0 < 0.005,
+    verdict(case + "_stagnation_pressure", abs(p0) < 5e-3,
             f"{100*p0:+.2f} % of Rayleigh's")
     verdict(case + "_total_temperature", H < 1e-2,
             f"within {100*H:.3f} % near the axis")
-    verdict(case + "_standoff", abs(standoff - 0.14872) < 4e-3,
+    verdict(case + "_standoff", 0.147 < standoff < 0.150,
             f"{standoff:.4f} of the radius, exact 0.1487")
-    verdict(case + "_no_vortex", against < 0 and 0.5 < gradient < 0.8,
+    verdict(case + "_no_vortex", against < 0 and 0.5 < gradient < 0.85,
             f"no gas flows back on the axis; wall velocity gradient "
             f"{gradient:.3f}, exact 0.6175")
 
@@ -79,13 +78,14 @@ if report("sphere_upwind", solve("sphere_upwind")):
     verdict("sphere_upwind_axis", 0.5 < gradient < 0.85,
             f"wall velocity gradient {gradient:.3f}, exact 0.6175")
 
-# Far from the steady state, and stiff
+# Far from the steady state, and stiff; the cells are a twentieth of the radius,
+# and the shock stands a sixth of a cell too far (3 % of one with half the size)
 prepare("cylinder_20", "half", (60, 40), 4, 20)
 steady = report("cylinder_20", solve("cylinder_20"))
 if steady:
     p0, H, standoff, gradient, against = layer("cylinder_20", (60, 40), 4, 20)
-    verdict("cylinder_20", abs(p0) < 0.02 and H < 1e-2
-            and abs(standoff - 0.3829) < 8e-3 and against < 0,
+    verdict("cylinder_20", abs(p0) < 0.015 and H < 5e-3
+            and abs(standoff - 0.3829) < 0.2*0.05 and against < 0,
             f"steady after {steady[0]} iterations, p0 {100*p0:+.2f} %, total "
             f"temperature {100*H:.2f} %, standoff {standoff:.4f}, exact 0.3829")
 
