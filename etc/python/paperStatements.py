@@ -265,8 +265,8 @@ at(COLLISIONS,
     "distance over which the concentration of 5 um within 30 deg falls from"
     " three quarters of its maximum to a quarter, in parts of the distance of"
     " the half from the wall, at 1e-4, with collisions over without", "",
-    1.5, 20, "half as wide again; a step falls within 0.25, an exponential"
-    " tail within 1.6, 20: anything longer"),
+    1.2, 20, "a fifth wider, more than its scatter of a tenth; 20: from a step"
+    " to a tail over the whole shock layer"),
    ("cylinder.spinLittleInLayer", "results, fig. 2",
     "Вращение частиц способствует некоторому расширению зоны ... однако"
     " существенного вклада ... не вносит",
