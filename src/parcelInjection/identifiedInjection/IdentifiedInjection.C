@@ -29,7 +29,7 @@ Foam::dictionary Foam::IdentifiedInjection<CloudType>::complete
     // not withhold a parcel that stands for less than one particle
     dictionary result(dict);
     result.set("massTotal", scalar(0));
-    result.set("parcelBasisType", word("fixed"));
+    result.set("parcelBasisType", word("number"));
     result.set("minParticlesPerParcel", scalar(0));
     result.set
     (
