@@ -275,7 +275,7 @@ TABLE = [
     ("sizesShare", sizes("(5e-6 1.5) (1e-5 -0.5)"),
      ["sizes 1.5:", "(0, 1]"]),
     ("sizesSum", sizes("(5e-6 0.5) (1e-5 0.4)"),
-     ["sum of the fractions of sizes 0.9:", "1 +- 1e-6"]),
+     ["sum of the fractions of sizes 0.9:", "[0.999999, 1.000001]"]),
     ("stream_speed", replace(STREAM, "1797.172554", "0"),
      ["U0 (0 0 0)"]),
     ("density", replace("constant/sandCloud", "2500", "-2500"),

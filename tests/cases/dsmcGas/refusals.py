@@ -60,7 +60,7 @@ EDITS = [   # name, change, texts that the message must hold
     ("diameter", replace(GAS, "diameter 4.17e-10", "diameter -1"),
      ["Entry diameter -1", "valid range"]),
     ("omega", replace(GAS, "omega 0.81", "omega 2.5"),
-     ["Entry omega 2.5", "omega <= 1.5"]),
+     ["Entry omega 2.5", "[0.5, 1.5]"]),
     ("rotation", replace(GAS, "Freedom 0", "Freedom -1"),
      ["internalDegreesOfFreedom -1", "valid range"]),
     ("Tref", replace(GAS, "{ Tref 273; relax", "{ Tref 0; relax"),

@@ -414,31 +414,31 @@ TEST(cellCollisions, refusesWhatIsNoGas)
 {
     EXPECT_EQ
     (
-        refusal(argon, 0, 0), "Tref 0: valid range Tref > 0"
+        refusal(argon, 0, 0), "Tref 0: valid range (0, inf) K"
     );
     EXPECT_EQ
     (
         refusal(argon, 273, 0.5),
-        "relaxationCollisionNumber 0.5: valid range >= 1"
+        "relaxationCollisionNumber 0.5: valid range [1, inf)"
     );
     cellCollisions::species s = argon;
     s.mass = -1;
-    EXPECT_EQ(refusal(s, 273, 0), "mass -1: valid range mass > 0");
+    EXPECT_EQ(refusal(s, 273, 0), "mass -1: valid range (0, inf) kg");
     s = argon;
     s.diameter = 0;
-    EXPECT_EQ(refusal(s, 273, 0), "diameter 0: valid range diameter > 0");
+    EXPECT_EQ(refusal(s, 273, 0), "diameter 0: valid range (0, inf) m");
     s = argon;
     s.omega = 2;
     EXPECT_EQ
     (
         refusal(s, 273, 0),
-        "omega 2: valid range 0.5 (hard spheres) <= omega <= 1.5"
+        "omega 2: valid range [0.5, 1.5], 0.5 for hard spheres"
     );
     s = argon;
     s.internalDegreesOfFreedom = -2;
     EXPECT_EQ
     (
         refusal(s, 273, 0),
-        "internalDegreesOfFreedom -2: valid range >= 0"
+        "internalDegreesOfFreedom -2: valid range [0, inf)"
     );
 }

@@ -20,17 +20,8 @@ double massOf(const adhesiveRebound::sphere& s)
 
 void check(const adhesiveRebound::materials& m)
 {
-    if (!(m.modulus > 0 && std::isfinite(m.modulus)))
-    {
-        throwOutOfRange("modulus", m.modulus, "(0, inf) Pa");
-    }
-    if (!(m.workOfAdhesion > 0 && std::isfinite(m.workOfAdhesion)))
-    {
-        throwOutOfRange
-        (
-            "workOfAdhesion of a wall", m.workOfAdhesion, "(0, inf) J/m^2"
-        );
-    }
+    checkRange("modulus", m.modulus, "(0, inf) Pa");
+    checkRange("workOfAdhesion of a wall", m.workOfAdhesion, "(0, inf) J/m2");
 }
 
 } // End anonymous namespace

@@ -127,10 +127,7 @@ impact::chainOutcome impact::contactChain::run
     std::vector<chainMoment>* moments
 ) const
 {
-    if (!(speed > 0 && std::isfinite(speed)))
-    {
-        throwOutOfRange("speed", speed, "(0, inf) m/s");
-    }
+    checkRange("speed", speed, "(0, inf) m/s");
     const jkrContact::units unit1 = first_.scales(speed);
     const jkrContact::units unit2 = second_.scales(speed);
     chainRate rate =

@@ -13,32 +13,17 @@ namespace
 
 using namespace impact;
 
-void check(bool valid, const char* entry, double value, const char* range)
-{
-    if (!valid)
-    {
-        throwOutOfRange(entry, value, range);
-    }
-}
-
-
-void checkPositive(const char* entry, double value)
-{
-    check(value > 0 && std::isfinite(value), entry, value, "(0, inf)");
-}
-
-
 void checkSolid(const elasticSolid& solid)
 {
-    checkPositive("E", solid.E);
-    check(solid.nu > -1 && solid.nu < 0.5, "nu", solid.nu, "(-1, 0.5)");
+    checkRange("E", solid.E, "(0, inf) Pa");
+    checkRange("nu", solid.nu, "(-1, 0.5)");
 }
 
 
 void checkSphere(const elasticSphere& sphere)
 {
-    checkPositive("diameter", sphere.diameter);
-    checkPositive("density", sphere.density);
+    checkRange("diameter", sphere.diameter, "(0, inf) m");
+    checkRange("density", sphere.density, "(0, inf) kg/m3");
     checkSolid(sphere.solid);
 }
 
@@ -64,16 +49,10 @@ impact::jkrContact::jkrContact
     mass_(mass),
     workOfAdhesion_(workOfAdhesion)
 {
-    checkPositive("radius", radius);
-    checkPositive("modulus", modulus);
-    checkPositive("mass", mass);
-    check
-    (
-        workOfAdhesion >= 0 && std::isfinite(workOfAdhesion),
-        "workOfAdhesion",
-        workOfAdhesion,
-        "[0, inf)"
-    );
+    checkRange("radius", radius, "(0, inf) m");
+    checkRange("modulus", modulus, "(0, inf) Pa");
+    checkRange("mass", mass, "(0, inf) kg");
+    checkRange("workOfAdhesion", workOfAdhesion, "[0, inf) J/m2");
     equilibriumRadius_ =
         std::cbrt(4.5*M_PI*workOfAdhesion*radius*radius/modulus);
 }

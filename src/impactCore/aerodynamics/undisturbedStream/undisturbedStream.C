@@ -40,13 +40,7 @@ impact::undisturbedStream::undisturbedStream
     parcelDensity_(0),
     seed_(seed)
 {
-    checkRange
-    (
-        volumeFraction > 0 && volumeFraction < 0.1,
-        "volumeFraction",
-        volumeFraction,
-        "(0, 0.1)"
-    );
+    checkRange("volumeFraction", volumeFraction, "(0, 0.1)");
     if (sizes.empty())
     {
         throwOutOfRange("sizes", "()", "at least one (diameter fraction)");
@@ -55,24 +49,12 @@ impact::undisturbedStream::undisturbedStream
     double sum = 0;
     for (const sizeClass& size : sizes_)
     {
-        checkRange(size.d > 0, "diameter", size.d, "(0, inf)");
-        checkRange
-        (
-            size.fraction > 0 && size.fraction <= 1,
-            "fraction of sizes",
-            size.fraction,
-            "(0, 1]"
-        );
-        checkRange(size.weight > 0, "nParticle", size.weight, "(0, inf)");
+        checkRange("diameter", size.d, "(0, inf)");
+        checkRange("fraction of sizes", size.fraction, "(0, 1]");
+        checkRange("nParticle", size.weight, "(0, inf)");
         sum += size.fraction;
     }
-    checkRange
-    (
-        std::fabs(sum - 1) < 1e-6,
-        "sum of the fractions of sizes",
-        sum,
-        "1 +- 1e-6"
-    );
+    checkRange("sum of the fractions of sizes", sum, "[0.999999, 1.000001]");
 
     for (const sizeClass& size : sizes_)
     {

@@ -16,11 +16,7 @@ namespace
 
 void check(const char* name, double value, bool zeroToo = false)
 {
-    checkRange
-    (
-        (value > 0 || (zeroToo && value == 0)) && std::isfinite(value),
-        name, value, zeroToo ? "[0, inf)" : "(0, inf)"
-    );
+    checkRange(name, value, zeroToo ? "[0, inf)" : "(0, inf)");
 }
 
 } // End anonymous namespace
@@ -66,7 +62,7 @@ erosionLaw erosionLaw::oka(const okaConstants& c)
     check("k3", c.k3, true);
     check("referenceSpeed", c.referenceSpeed);
     check("referenceDiameter", c.referenceDiameter);
-    checkRange(std::isfinite(c.k1), "k1", c.k1, "(-inf, inf)");
+    checkRange("k1", c.k1, "(-inf, inf)");
 
     erosionLaw law;
     law.kind_ = kind::oka;

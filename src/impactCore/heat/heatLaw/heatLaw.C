@@ -245,25 +245,13 @@ const kind kinds[] =
 
 void check(const impact::heatLaw::coefficients& c)
 {
-    const auto within =
-        [](const char* entry, double value, double low, double high, bool open)
-        {
-            const bool good =
-                std::isfinite(value)
-             && (open ? value > low : value >= low) && value <= high;
-            impact::checkRange
-            (
-                good, entry, value,
-                impact::rangeText(open ? "(]" : "[]", low, high)
-            );
-        };
     // 5/3 is not a double
-    within("gamma", c.gamma, 1, 1.6666666666666668, true);
-    within("Pr", c.Pr, 0, 100, true);
-    within("accommodation", c.accommodation, 0, 1, false);
+    impact::checkRange("gamma", c.gamma, "(1, 1.6666666666666668]");
+    impact::checkRange("Pr", c.Pr, "(0, 100]");
+    impact::checkRange("accommodation", c.accommodation, "[0, 1]");
     if (!(c.recoveryFactor == -1))
     {
-        within("recoveryFactor", c.recoveryFactor, 0, 2, false);
+        impact::checkRange("recoveryFactor", c.recoveryFactor, "[0, 2]");
     }
     if (!c.form.empty() && c.form != "ranzMarshall" && c.form != "original")
     {

@@ -48,7 +48,7 @@ impact::scatteringSampler::scatteringSampler(const setup& s)
     visit_(setup_.body, s.law, s.treatment, s.maxImpacts)
 {
     checkRange("incidence", s.incidence, "(0, 90] (degrees)");
-    checkRange("speed", s.speed, "(0, 1e100) (m/s)");
+    checkRange("speed", s.speed, "(0, 1e100) m/s");
     for (int i = 0; i < 3; ++i)
     {
         checkRange("spin", s.spin[i], "(-1e100, 1e100) (rad/s)");

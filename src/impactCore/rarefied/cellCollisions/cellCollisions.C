@@ -12,11 +12,6 @@
 
 namespace
 {
-    void demand(bool good, const char* name, double value, const char* range)
-    {
-        impact::checkRange(good, name, value, range);
-    }
-
     //- One of 0 ... n - 1
     inline int below(std::uint32_t bits, int n)
     {
@@ -46,24 +41,22 @@ impact::cellCollisions::cellCollisions
     rotating_(false),
     seed_(seed)
 {
-    demand(Tref > 0, "Tref", Tref, "Tref > 0");
+    checkRange("Tref", Tref, "(0, inf) K");
     const double Z = relaxationCollisionNumber;
-    demand(Z == 0 || Z >= 1, "relaxationCollisionNumber", Z, ">= 1");
+    if (Z != 0)
+    {
+        checkRange("relaxationCollisionNumber", Z, "[1, inf)");
+    }
     exchangeProbability_ = Z > 0 ? 1/Z : 0;
 
     for (const species& s : species_)
     {
-        demand(s.mass > 0, "mass", s.mass, "mass > 0");
-        demand(s.diameter > 0, "diameter", s.diameter, "diameter > 0");
-        demand
+        checkRange("mass", s.mass, "(0, inf) kg");
+        checkRange("diameter", s.diameter, "(0, inf) m");
+        checkRange("omega", s.omega, "[0.5, 1.5], 0.5 for hard spheres");
+        checkRange
         (
-            s.omega >= 0.5 && s.omega <= 1.5, "omega", s.omega,
-            "0.5 (hard spheres) <= omega <= 1.5"
-        );
-        demand
-        (
-            s.internalDegreesOfFreedom >= 0, "internalDegreesOfFreedom",
-            s.internalDegreesOfFreedom, ">= 0"
+            "internalDegreesOfFreedom", s.internalDegreesOfFreedom, "[0, inf)"
         );
         rotating_ = rotating_
             || (s.internalDegreesOfFreedom > 0 && exchangeProbability_ > 0);

@@ -59,7 +59,7 @@ impact::keplerOrbit::keplerOrbit(double mu)
 :
     mu_(mu)
 {
-    checkRange(mu > 0 && mu < 1e30, "mu", mu, "(0, 1e30) (m3/s2)");
+    checkRange("mu", mu, "(0, 1e30) m3/s2");
 }
 
 

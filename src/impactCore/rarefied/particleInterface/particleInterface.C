@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "particleInterface.H"
+#include "outOfRange.H"
 
 #include <cmath>
 #include <cstdio>
@@ -88,12 +89,8 @@ void check
 )
 {
     const char* range =
-        column < 6 ? "finite" : column < 8 ? "> 0 and finite"
-      : ">= 0 and finite";
-    const bool good =
-        std::isfinite(value)
-     && (column < 6 || value > 0 || (column == 8 && value == 0));
-    if (!good)
+        column < 6 ? "(-inf, inf)" : column < 8 ? "(0, inf)" : "[0, inf)";
+    if (!impact::within(value, range))
     {
         std::ostringstream text;
         text<< "line " << lineNumber << ": " << columns[column] << ' '

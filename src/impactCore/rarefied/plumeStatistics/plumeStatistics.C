@@ -149,17 +149,10 @@ impact::plumeStatistics::plumeStatistics(const setup& s)
 :
     setup_(s)
 {
-    checkRange
-    (
-        s.stationHalfWidth > 0 && s.stationHalfWidth < 1e15,
-        "stationHalfWidth", s.stationHalfWidth, "(0, 1e15) (m)"
-    );
+    checkRange("stationHalfWidth", s.stationHalfWidth, "(0, 1e15) m");
     for (const double x : s.stations)
     {
-        checkRange
-        (
-            std::fabs(x) < 1e15, "stations", x, "(-1e15, 1e15) (m)"
-        );
+        checkRange("stations", x, "(-1e15, 1e15) m");
     }
     const int room =
         62 - int(std::ceil(std::log2(s.nParticles + 1)))

@@ -66,18 +66,12 @@ impact::radiativeCooling::radiativeCooling(const setup& s)
     table_(2*std::size_t(nCells), cell{}),
     law_(lawType::none)
 {
-    checkRange(s.density > 0 && s.density < 1e6, "density", s.density,
-        "(0, 1e6) (kg/m3)");
-    checkRange(s.absorptivity >= 0 && s.absorptivity <= 1, "absorptivity",
-        s.absorptivity, "[0, 1]");
-    checkRange(s.emissivity >= 0 && s.emissivity <= 1, "emissivity",
-        s.emissivity, "[0, 1]");
-    checkRange(s.sunlight >= 0 && s.sunlight < 1e12, "sunlight", s.sunlight,
-        "[0, 1e12) (W/m2)");
-    checkRange(s.reflected >= 0 && s.reflected < 1e12, "reflected", s.reflected,
-        "[0, 1e12) (W/m2)");
-    checkRange(s.infrared >= 0 && s.infrared < 1e12, "infrared", s.infrared,
-        "[0, 1e12) (W/m2)");
+    checkRange("density", s.density, "(0, 1e6) kg/m3");
+    checkRange("absorptivity", s.absorptivity, "[0, 1]");
+    checkRange("emissivity", s.emissivity, "[0, 1]");
+    checkRange("sunlight", s.sunlight, "[0, 1e12) W/m2");
+    checkRange("reflected", s.reflected, "[0, 1e12) W/m2");
+    checkRange("infrared", s.infrared, "[0, 1e12) W/m2");
     if (s.heatCapacity.empty())
     {
         throw std::invalid_argument("heatCapacity: the list is empty");
@@ -85,18 +79,16 @@ impact::radiativeCooling::radiativeCooling(const setup& s)
     for (std::size_t i = 0; i < s.heatCapacity.size(); ++i)
     {
         const auto& p = s.heatCapacity[i];
-        checkRange(p.second > 0 && p.second < 1e9, "heatCapacity", p.second,
-            "(0, 1e9) (J/(kg K))");
-        checkRange
-        (
-            !kinked_ || (p.first > 0 && p.first < 1e8),
-            "temperature of heatCapacity", p.first, "(0, 1e8) (K)"
-        );
+        checkRange("heatCapacity", p.second, "(0, 1e9) J/(kg K)");
+        if (kinked_)
+        {
+            checkRange("temperature of heatCapacity", p.first, "(0, 1e8) K");
+        }
         checkRange
         (
             i == 0 || p.first > s.heatCapacity[i - 1].first,
             "temperature of heatCapacity", p.first,
-            "greater than the one before (K)"
+            "greater than the one before, K"
         );
     }
 
@@ -124,7 +116,7 @@ impact::radiativeCooling::radiativeCooling(const setup& s)
              && equilibrium_ <= s.heatCapacity.back().first
             ),
             "equilibrium temperature", equilibrium_,
-            "that of the pairs of heatCapacity (K)"
+            "that of the pairs of heatCapacity, K"
         );
     }
     makePieces();
@@ -385,7 +377,7 @@ impact::radiativeCooling::start(double T) const
     {
         throwOutOfRange
         (
-            "temperature", T, '[', bottom, ", ", top, "] (K)",
+            "temperature", T, '[', bottom, ", ", top, "] K",
             kinked_ ? ", that of the pairs of heatCapacity" : ""
         );
     }

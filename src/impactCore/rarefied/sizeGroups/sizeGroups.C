@@ -39,11 +39,7 @@ std::vector<impact::sizeGroups::group> impact::sizeGroups::list
     const std::vector<double>& fractions
 )
 {
-    checkRange
-    (
-        !diameters.empty(), "number of diameters", double(diameters.size()),
-        ">= 1"
-    );
+    checkRange("number of diameters", diameters.size(), "[1, inf)");
     checkRange
     (
         fractions.size() == diameters.size(),
@@ -53,19 +49,11 @@ std::vector<impact::sizeGroups::group> impact::sizeGroups::list
     double sum = 0;
     for (std::size_t i = 0; i < diameters.size(); ++i)
     {
-        checkRange
-        (
-            diameters[i] > 0 && diameters[i] < 1e3,
-            "diameters", diameters[i], "> 0 [m]"
-        );
-        checkRange
-        (
-            fractions[i] >= 0 && fractions[i] < 1e100,
-            "massFractions", fractions[i], ">= 0"
-        );
+        checkRange("diameters", diameters[i], "(0, 1e3) m");
+        checkRange("massFractions", fractions[i], "[0, 1e100)");
         sum += fractions[i];
     }
-    checkRange(sum > 0, "sum of massFractions", sum, "> 0");
+    checkRange("sum of massFractions", sum, "(0, inf)");
 
     std::vector<group> groups;
     for (std::size_t i = 0; i < diameters.size(); ++i)
@@ -84,15 +72,9 @@ std::vector<impact::sizeGroups::group> impact::sizeGroups::lognormal
     int classes
 )
 {
-    checkRange(radius > 0 && radius < 1e3, "radius", radius, "> 0 [m]");
-    checkRange
-    (
-        deviation > 1 && deviation <= 10, "deviation", deviation, "(1, 10]"
-    );
-    checkRange
-    (
-        classes >= 1 && classes <= 100, "classes", classes, "1 to 100"
-    );
+    checkRange("radius", radius, "(0, 1e3) m");
+    checkRange("deviation", deviation, "(1, 10]");
+    checkRange("classes", classes, "[1, 100]");
 
     // The law of mass has the same deviation, about a median greater by
     // exp(3 s^2)

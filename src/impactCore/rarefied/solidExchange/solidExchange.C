@@ -31,14 +31,10 @@ impact::solidExchange::solidExchange
     transfer_(gas, m.accommodation, m.specificHeat),
     return_(gas)
 {
-    checkRange
-    (
-        m.density > 0 && m.density < 1e100, "density", m.density,
-        "> 0 [kg/m^3]"
-    );
+    checkRange("density", m.density, "(0, 1e100) kg/m3");
     for (const double d : diameters)
     {
-        checkRange(d > 0 && d < 1e3, "diameter", d, "> 0 [m]");
+        checkRange("diameter", d, "(0, 1e3) m");
         sizes_.push_back({0.5*d, m.density*M_PI/6*d*d*d});
     }
     for (const cellCollisions::species& s : gas)

@@ -30,16 +30,8 @@ impact::sphereTransfer::sphereTransfer
     specificHeat_(specificHeat),
     gas_{}
 {
-    checkRange
-    (
-        accommodation >= 0 && accommodation <= 1,
-        "accommodation", accommodation, "[0, 1]"
-    );
-    checkRange
-    (
-        specificHeat > 0 && specificHeat < 1e100,
-        "specificHeat", specificHeat, "> 0 [J/(kg K)]"
-    );
+    checkRange("accommodation", accommodation, "[0, 1]");
+    checkRange("specificHeat", specificHeat, "(0, 1e100) J/(kg K)");
     for (const cellCollisions::species& s : gas)
     {
         mass_.push_back(s.mass);

@@ -11,15 +11,8 @@ impact::hardSphereWall::hardSphereWall(double restitution, double friction)
     restitution_(restitution),
     friction_(friction)
 {
-    checkRange
-    (
-        restitution >= 0 && restitution <= 1,
-        "restitution", restitution, "[0, 1]"
-    );
-    checkRange
-    (
-        friction >= 0 && friction <= 1e6, "friction", friction, "[0, 1e6]"
-    );
+    checkRange("restitution", restitution, "[0, 1]");
+    checkRange("friction", friction, "[0, 1e6]");
 }
 
 
@@ -40,11 +33,7 @@ impact::hardSphereWall impact::hardSphereWall::McNamaraFalcon
     double friction
 )
 {
-    checkRange
-    (
-        speed > 1e-100 && speed < 1e100,
-        "restitutionSpeed", speed, "(0, inf) (m/s)"
-    );
+    checkRange("restitutionSpeed", speed, "(1e-100, 1e100) m/s");
     hardSphereWall law(restitution, friction);
     law.perSpeed_ = 1/speed;
     return law;

@@ -22,12 +22,12 @@ void checkSize(const char* what, const vector3& size)
 {
     for (int i = 0; i < 3; ++i)
     {
-        if (!(size[i] > 0) || !(size[i] < 1e100))
+        if (!impact::within(size[i], "(0, 1e100)"))
         {
             impact::throwInvalid
             (
                 what, " (", size.x, ' ', size.y, ' ', size.z,
-                "): valid range of components (0, inf) m"
+                "): valid range of components (0, 1e100) m"
             );
         }
     }

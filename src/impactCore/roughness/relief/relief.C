@@ -64,22 +64,14 @@ impact::relief impact::relief::rough
     double sigmaHeight
 )
 {
-    checkRange
-    (
-        meanSpacing > 0 && meanSpacing < 1e100,
-        "meanSpacing", meanSpacing, "(0, inf)"
-    );
+    checkRange("meanSpacing", meanSpacing, "(0, 1e100) m");
     checkRange
     (
         sigmaSpacing >= 0 && 3*sigmaSpacing < meanSpacing,
         "sigmaSpacing", sigmaSpacing,
         "[0, meanSpacing/3): the knots would run backwards"
     );
-    checkRange
-    (
-        sigmaHeight >= 0 && sigmaHeight < 1e100,
-        "sigmaHeight", sigmaHeight, "[0, inf)"
-    );
+    checkRange("sigmaHeight", sigmaHeight, "[0, 1e100) m");
     relief r;
     r.type_ = reliefType::rough;
     r.meanSpacing_ = meanSpacing;
@@ -198,7 +190,7 @@ impact::relief impact::relief::profile
     double scale
 )
 {
-    checkRange(scale > 0 && scale < 1e100, "profile scale", scale, "(0, inf)");
+    checkRange("profile scale", scale, "(0, 1e100)");
     std::ifstream file(fileName);
     if (!file)
     {
@@ -251,16 +243,8 @@ impact::relief impact::relief::sinusoidal
     double wavelength
 )
 {
-    checkRange
-    (
-        amplitude >= 0 && amplitude < 1e100,
-        "amplitude", amplitude, "[0, inf)"
-    );
-    checkRange
-    (
-        wavelength > 0 && wavelength < 1e100,
-        "wavelength", wavelength, "(0, inf)"
-    );
+    checkRange("amplitude", amplitude, "[0, 1e100) m");
+    checkRange("wavelength", wavelength, "(0, 1e100) m");
     const int n = 64;
     std::vector<double> x(n), y(n);
     for (int i = 0; i < n; ++i)
@@ -278,7 +262,7 @@ impact::relief impact::relief::sinusoidal
 
 impact::relief impact::relief::flat(double period)
 {
-    checkRange(period > 0 && period < 1e100, "period", period, "(0, inf)");
+    checkRange("period", period, "(0, 1e100) m");
     relief r;
     r.period_ = period;
     r.table_ = {interval{0, period, 0, 0, 0, 0, 0, 0, 0}};
