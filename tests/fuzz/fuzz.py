@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Mistakes in dictionaries: fuzz.py [--sample N] [--tests] [--tutorials]
-[--jobs N] [SUBJECT...]
+[--minutes N] [--jobs N] [SUBJECT...]
 
 Stands in an empty folder. Each entry is dropped, misspelt and given -1, 0,
 1e300, -1e300, nan, a word and something of another type, one at a time; and
@@ -11,7 +11,10 @@ that nothing reads must be refused, and a refusal names the entry. Prints the
 rows of doc/stability.md, or with --tests lines PASS and FAIL; what went wrong
 stands on the error stream. With --tutorials the dictionaries are those of the
 tutorials (tutorials/ADHESION/..., by their names), otherwise the annotated
-ones.
+ones. A mistake that several tutorials have alike, in one entry of one type of
+block that one program reads, is made in one of them. With --minutes N, no
+mistake is begun after that time: which ones are left out is chance, the same
+each time, and their number is printed.
 """
 
 import argparse
@@ -24,6 +27,7 @@ import shutil
 import subprocess
 import sys
 import threading
+import time
 
 import tutorials
 from mutations import bare, blocks, entries, misspelt, mutations
@@ -34,6 +38,11 @@ CPU_SECONDS = 60
 # Entries that the stock cloud reads and refuses before ours are looked at
 STOCK = ("active", "coupled", "transient", "cellValueSourceCorrection",
          "rho0", "solution", "constantProperties", "subModels")
+
+# Models of OpenFOAM in the tutorials' clouds, whose entries are its own
+STOCK_MODELS = ("kinematicLookupTableInjection", "standardWallInteraction")
+
+NO_NUMBER = r"(?i)(^|[,\s])-?(nan|inf)\b"
 
 # What no reader of a number, a word, a switch, a list or a file can take
 JUNK = "noneOfThese"
@@ -109,13 +118,18 @@ class Subject:
         self.name, self.tree, self.case = name, tree, case
         self.command, self.files, self.texts = command, files, texts
         self.free, self.stock = free, stock
+        self.unknown = None     # a result that is no number without mistakes
 
-    def is_macro(self, entry):
-        """Is it there for others to refer to?"""
-        return any(re.search(r"\$[{:.]*(\w+\.)*"
+    def is_macro(self, path, parts):
+        """Is it there for others to refer to? What is included in a block is
+        a choice among names."""
+        name = re.escape(os.path.basename(path))
+        return any(
+            re.search(r'\{\s*#include\s+"[^"]*\b' + name + '"', text)
+            or any(re.search(r"\$[{:.]*(\w+\.)*"
                              + re.escape(part.strip('"')) + r"\b", text)
-                   for part in entry.path + (entry.key,)
-                   for text in self.texts.values())
+                   for part in parts)
+            for text in self.texts.values())
 
     def attempt(self, path, text, worker):
         """The outcome with another text of a dictionary."""
@@ -124,9 +138,19 @@ class Subject:
         with open(f"{trial}/{path}", "w") as file:
             file.write(text)
         status, said = run(f"{trial}/{self.case}", self.command)
-        bad = results_hold(trial, r"(?i)(^|[,\s])-?(nan|inf)\b")
+        bad = not self.unknown and results_hold(trial, NO_NUMBER)
         shutil.rmtree(trial)
         return status, said, bad
+
+    def is_stock(self, path, where):
+        """Does a block belong to a model of OpenFOAM?"""
+        text = bare(self.text(path))
+        types = {e.path: text[e.valueStart:e.end - 1].strip()
+                 for e in entries(text) if e.key == "type"}
+        return (bool(set(where) & set(self.stock))
+                or any(types.get(where[:i + 1]) in STOCK_MODELS
+                       or part.replace("Coeffs", "") in STOCK_MODELS
+                       for i, part in enumerate(where)))
 
     def text(self, path):
         with open(f"{self.tree}/{path}") as file:
@@ -138,14 +162,15 @@ def judge(subject, path, name, entry, status, text, bad, keys):
     kind = name.split()[0]
     if status in (-24, 152, -9):
         return "hung"
-    macro = subject.is_macro(entry) or not (entry.path or is_main(path))
+    macro = (subject.is_macro(path, entry.path + (entry.key,))
+             or not (entry.path or is_main(path)))
     if macro and status:
         # Refused is what becomes of it, and under that name; stock
         # arithmetic ends in a trap of its own
         return ("" if "FOAM FATAL" in text or "evalEntry" in text
                 or "exprs::" in text else "crashed")
     at = text.find("FOAM FATAL")
-    stock = (bool(set(entry.path) & set(subject.stock))
+    stock = (subject.is_stock(path, entry.path)
              or subject.command[0] == tutorials.STOCK_SOLVER
              and entry.key == "type")
     if status < 0 or (status and at < 0):
@@ -170,6 +195,29 @@ def judge(subject, path, name, entry, status, text, bad, keys):
     if not any(w in message for w in words):
         return "does not name the entry"
     return ""
+
+
+def alike(subject, path, name, entry, changed):
+    """What two tutorials share if a mistake in them is the same: program,
+    dictionary, entry, mistake, and the types of the blocks around it."""
+    text = bare(subject.text(path))
+    where = entry.path if entry else name
+    types = {e.path: text[e.valueStart:e.end - 1].strip()
+             for e in entries(text)
+             if e.key in ("type", "model", "law", "law1", "law2")}
+    around, last = [], ""
+    for i, part in enumerate(("",) + where):
+        around.append(("*" if last in subject.free else part,
+                       types.get(where[:i])))
+        last = part
+    mistake = ("added" if entry is None else
+               re.sub(re.escape("/".join(where + (entry.key,))), "", name))
+    key = "" if entry is None else (
+        "*" if last in subject.free and entry.isDict else entry.key)
+    file = re.sub(r"^\w+(?=Properties)", "", os.path.basename(path))
+    if subject.command[0] == "dsmcParcelFoam":
+        file = os.path.basename(path)
+    return (subject.command[0], file, tuple(around), key, mistake)
 
 
 def added(subject, path, where, end, worker):
@@ -222,6 +270,7 @@ def main():
     parser.add_argument("--sample", type=int, default=0)
     parser.add_argument("--tests", action="store_true")
     parser.add_argument("--tutorials", action="store_true")
+    parser.add_argument("--minutes", type=float)
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("subjects", nargs="*")
     asked = parser.parse_args()
@@ -239,6 +288,8 @@ def main():
         if subject.tree:
             shutil.copytree(subject.tree, "trial.good", symlinks=True)
             status, text = run(f"trial.good/{subject.case}", subject.command)
+            # So few particles leave some errors unknown
+            subject.unknown = results_hold("trial.good", NO_NUMBER)
             shutil.rmtree("trial.good")
             at = max(text.find("FOAM FATAL"), 0)
             problem = ("the good case stops: "
@@ -258,16 +309,28 @@ def main():
                 # What a file that is included has at its top is free
                 free = ((not where and (chosen is not tutorials.everything
                                         or not is_main(path)))
-                        or where and where[-1] in subject.free)
-                if not free and not set(where) & set(subject.stock):
+                        or where and where[-1] in subject.free
+                        or subject.is_macro(path, where))
+                if not free and not subject.is_stock(path, where):
                     trials.append((subject, path, where, None, end, None))
 
-    if asked.sample:
+    found = len(trials)
+    random.Random(1).shuffle(trials)
+    if asked.tutorials:
+        # Of those that are alike the first: they spread over the tutorials
+        trials = list({alike(*t[:5]): t for t in reversed(trials)}.values())
         random.Random(1).shuffle(trials)
+    different = len(trials)
+    if asked.sample:
         trials = trials[:asked.sample]
+    end = time.monotonic() + (60*asked.minutes if asked.minutes else 1e9)
+    begun = []
     lock = threading.Lock()
 
     def attempt(trial):
+        if time.monotonic() > end:
+            return      # see --minutes
+        begun.append(trial)
         subject, path, name, entry, changed, keys = trial
         worker = threading.get_ident()
         if entry is None:
@@ -294,6 +357,13 @@ def main():
         for done in [pool.submit(attempt, t) for t in trials]:
             done.result()
 
+    if asked.tutorials:
+        said = (f"{len(begun)} of {different} different ones tried; the"
+                f" tutorials have {found}")
+        expected = (f"as many as {asked.minutes:g} minutes allow"
+                    if asked.minutes else "all that are different")
+        print(f"PASS {said}" if asked.tests else
+              f"mistakes in tutorials | {expected} | {said} | ok")
     for name in order:
         n, refused = count[name]
         bad = sorted(wrong.get(name, []))
