@@ -433,8 +433,9 @@ void Foam::dsmcGas::readMolecules()
     if (!returnReduce(found || inflow_->active(), orOp<bool>()))
     {
         FatalErrorInFunction
-            << "No molecules in " << mesh_.time().timePath()/"lagrangian"
-            << "/" << cloudName << " and no inflow. Run dsmcInitialise first"
+            << "No molecules in "
+            << mesh_.time().timePath()/"lagrangian"/cloudName
+            << " and no inflow. Run dsmcInitialise first"
             << exit(FatalError);
     }
     for (label i = 0; i < molecules_.size(); ++i)

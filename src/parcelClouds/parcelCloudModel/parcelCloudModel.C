@@ -176,6 +176,20 @@ Foam::autoPtr<Foam::parcelCloudModel> Foam::parcelCloudModel::New
     {
         findLibraries(properties);
     }
+    const bool collides = type == "basicKinematicCollidingCloud";
+    if (collides || type == "basicKinematicCloud")
+    {
+        stockCloudEntries::checkSolution(properties.subDict("solution"), {});
+        stockCloudEntries::checkProperties
+        (
+            properties.subOrEmptyDict("constantProperties"), {}
+        );
+        stockCloudEntries::checkModels
+        (
+            properties.subOrEmptyDict("subModels"),
+            collides ? wordList{"collisionModel"} : wordList{}
+        );
+    }
 
     Info<< "Cloud " << name << " (" << type << ")" << endl;
     return constructor()(name, rho, U, mu, g);

@@ -113,13 +113,33 @@ def coupled(case):
          "coupled yes; sourceTerms { schemes { U explicit 1; } }")
 
 
-def stock_coupled(case):
-    coupled(case)
+def stock(case):
+    """The stock cloud in the place of ours, without what only ours knows."""
     edit(case, "constant/sandCloud", "spinningKinematicCloud",
          "basicKinematicCloud")
     edit(case, "constant/sandCloud", "magnus;", "")
+    edit(case, "constant/sandCloud", "rotation        off;", "")
+    edit(case, "constant/sandCloud", """    motion
+    {
+        type            embeddedRK54;
+        tolerance       1e-5;
+    }
+""", "")
     edit(case, "system/controlDict", "(spinningParcel)",
          "(parcelForces parcelInjection parcelWallInteraction)")
+
+
+def stock_with(*edits):
+    def change(case):
+        stock(case)
+        for old, new in edits:
+            edit(case, "constant/sandCloud", old, new)
+    return change
+
+
+def stock_coupled(case):
+    coupled(case)
+    stock(case)
 
 
 def with_file(path, body):
@@ -240,6 +260,14 @@ TABLE = [
      ["rollingKinematicCloud", "basicKinematicCloud",
       "spinningKinematicCloud"]),
     ("stockCoupled", stock_coupled, ["coupled yes", "no for a cloud"]),
+    ("stockSolution", stock_with(("active ", "rotation off; active ")),
+     ["Unknown entry rotation", "cellValueSourceCorrection", "solution"]),
+    ("stockProperties", stock_with(("rho0 ", "rho1 2500; rho0 ")),
+     ["Unknown entry rho1", "Did you mean rho0?", "constantProperties"]),
+    ("stockModels", stock_with(("dispersionModel none",
+                                "injectionModel none; dispersionModel none")),
+     ["Unknown entry injectionModel", "Did you mean injectionModels?",
+      "subModels"]),
     ("coupledSteadyGas", coupled, ["mode", "steady", "transient"]),
     ("motion", replace("constant/sandCloud", "embeddedRK54", "leapfrog"),
      ["motion", "leapfrog", "stock", "embeddedRK54"]),

@@ -19,8 +19,7 @@ solution
 {
     active yes; coupled no; transient yes; cellValueSourceCorrection off;
     maxCo 0.05;
-    rotation off;
-    motion MOTION;
+    MOTION
     interpolationSchemes
     { rho OTHERS; U SCHEME; T OTHERS; thermo:mu OTHERS; }
     integrationSchemes { U analytical; }
@@ -37,8 +36,9 @@ subModels
 }
 cloudFunctions { impacts { type impactRecords; patches (WALLS); } }
 """
-KINDS = {"stock": ("basicKinematicCloud", "stock"),
-         "embedded": ("spinningKinematicCloud", "embeddedRK54")}
+KINDS = {"stock": ("basicKinematicCloud", ""),
+         "embedded": ("spinningKinematicCloud",
+                      "rotation off; motion embeddedRK54;")}
 LIBS = "(spinningParcel parcelForces parcelInjection parcelWallInteraction)"
 
 
