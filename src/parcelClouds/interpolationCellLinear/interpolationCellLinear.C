@@ -21,10 +21,11 @@ Foam::interpolationCellLinear<Type>::gradient(const volFieldType& psi)
           ? "cellLimited leastSquares 1"
           : "leastSquares"
         );
+        // Not by the name of the one that is kept, which would be deleted
         return fv::gradScheme<Type>::New(psi.mesh(), scheme)().grad
         (
             psi,
-            name
+            "new:" + name
         );
     };
 
@@ -37,6 +38,7 @@ Foam::interpolationCellLinear<Type>::gradient(const volFieldType& psi)
     if (!db.foundObject<volGradType>(name))
     {
         volGradType* first = computed().ptr();
+        first->rename(name);
         first->checkIn();
         regIOobject::store(first);
         first->setUpToDate();
