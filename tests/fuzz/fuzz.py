@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Mistakes in dictionaries: fuzz.py [--sample N] [--tests] [--tutorials]
-[--minutes N] [--jobs N] [SUBJECT...]
+[--minutes N] [--jobs N] [--log FILE] [SUBJECT...]
 
 Stands in an empty folder. Each entry is dropped, misspelt and given -1, 0,
 1e300, -1e300, nan, a word and something of another type, one at a time; and
@@ -14,11 +14,16 @@ tutorials (tutorials/ADHESION/..., by their names), otherwise the annotated
 ones. A mistake that several tutorials have alike, in one entry of one type of
 block that one program reads, is made in one of them. With --minutes N, no
 mistake is begun after that time: which ones are left out is chance, the same
-each time, and their number is printed.
+each time, and their number is printed. With --log, every outcome is appended
+to a file, and a mistake that stands there as in order is not made again: a
+run that was cut off goes on, and one with complaints is repeated after the
+mending where it failed. The key of a mistake holds the text of its file.
 """
 
 import argparse
 import concurrent.futures
+import hashlib
+import json
 import os
 import random
 import re
@@ -220,6 +225,26 @@ def alike(subject, path, name, entry, changed):
     return (subject.command[0], file, tuple(around), key, mistake)
 
 
+def identity(subject, path, name, entry, changed):
+    """One mistake among all, the same in another run of the same text."""
+    text = changed if entry else subject.text(path)
+    return " ".join((subject.name, subject.case, path,
+                     name if entry else "added in /" + "/".join(name),
+                     hashlib.sha1(text.encode()).hexdigest()))
+
+
+def logged(log):
+    """(number, refused) of the mistakes in a log whose outcome is in order."""
+    found = {}
+    if log and os.path.isfile(log):
+        with open(log) as lines:
+            for line in lines:
+                key, n, refused, complaints = json.loads(line)
+                if not complaints:
+                    found[key] = n, refused
+    return found
+
+
 def added(subject, path, where, end, worker):
     """What is wrong with entries that a message calls valid in a
     dictionary: (number tried, complaints)."""
@@ -272,8 +297,10 @@ def main():
     parser.add_argument("--tutorials", action="store_true")
     parser.add_argument("--minutes", type=float)
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--log", type=os.path.abspath)
     parser.add_argument("subjects", nargs="*")
     asked = parser.parse_args()
+    in_order = logged(asked.log)
     if os.listdir("."):
         sys.exit("fuzz.py: the folder is not empty")
 
@@ -333,9 +360,14 @@ def main():
         begun.append(trial)
         subject, path, name, entry, changed, keys = trial
         worker = threading.get_ident()
-        if entry is None:
+        key = identity(subject, path, name, entry, changed)
+        said = ""
+        if key in in_order:
+            n, refused = in_order[key]
+            complaints = []
+        elif entry is None:
             n, complaints = added(subject, path, name, changed, worker)
-            refused, said = n - len(complaints), ""
+            refused = n - len(complaints)
             complaints = [f"an entry more in /{'/'.join(name)}: {c}"
                           for c in complaints]
         else:
@@ -346,6 +378,9 @@ def main():
             at = max(text.find("FOAM FATAL"), 0)
             said = " ".join(text[at:at + 250].split())
         with lock:
+            if asked.log and key not in in_order:
+                with open(asked.log, "a") as log:
+                    log.write(json.dumps([key, n, refused, complaints]) + "\n")
             count[subject.name][0] += n
             count[subject.name][1] += refused
             for c in complaints:
