@@ -157,6 +157,17 @@ class Subject:
                        or part.replace("Coeffs", "") in STOCK_MODELS
                        for i, part in enumerate(where)))
 
+    def together(self, path):
+        """Texts of the files that one dictionary is made of, this among
+        them: what stands in one of them may replace what another says."""
+        found = []
+        for main in self.texts:
+            files = {}
+            tutorials.with_included(self.tree, main, files)
+            if path in files:
+                found += files.values()
+        return found
+
     def text(self, path):
         with open(f"{self.tree}/{path}") as file:
             return file.read()
@@ -262,7 +273,8 @@ def added(subject, path, where, end, worker):
         return 1, ([] if status and "qqqqqq" in said[at:] else
                    ["is accepted" if status == 0 else "does not name it"])
     tried, wrong = 1, []
-    present = {e.key for e in entries(bare(text)) if e.path == where}
+    present = {e.key for t in [text] + subject.together(path)
+               for e in entries(bare(t)) if e.path == where}
     for key in listed.group(1).split():
         # Coefficients of models that are not chosen may stay
         if key in present or key.endswith("Coeffs"):

@@ -206,7 +206,7 @@ void Foam::dsmcGas::checkEntries() const
 void Foam::dsmcGas::readSpecies()
 {
     weight_ =
-        getNumber(properties_, "nEquivalentParticles", validRange::number);
+        getNumber(properties_, "nEquivalentParticles", "[1e-30, 1e30]");
     seed_ = getNumber<label>(properties_, "randomSeed", validRange::seed, 1);
 
     names_ = properties_.get<wordList>("typeIdList");

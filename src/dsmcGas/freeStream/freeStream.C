@@ -156,6 +156,28 @@ void Foam::freeStream::addPatch
 }
 
 
+void Foam::freeStream::checkWeight
+(
+    const dictionary& dict,
+    const scalar weight
+) const
+{
+    scalar n = 0;
+    for (const source& s : sources_)
+    {
+        n += s.flux*cells_.mesh().time().deltaTValue();
+    }
+    if (!within(n, "[0, 2147483647]"))
+    {
+        refuse
+        (
+            dict, "nEquivalentParticles", weight, "with fewer than 2147483647"
+            " molecules that enter in a step, here ", n
+        );
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::freeStream::freeStream
@@ -181,7 +203,16 @@ Foam::freeStream::freeStream
         return;
     }
     const dictionary& coeffs = dict.subDict("FreeStreamCoeffs");
-    refuseOthers(coeffs, {"numberDensities", "patches", "inflows"});
+    const dictionary* block = findBlock(coeffs, "inflows");
+    const dictionary inflows(block ? *block : dictionary());
+    const bool ofStock = coeffs.found("numberDensities") || inflows.empty();
+    refuseOthers
+    (
+        coeffs,
+        ofStock
+      ? wordList{"numberDensities", "patches", "inflows"}
+      : wordList{"numberDensities", "inflows"}
+    );
 
     const auto boundaryFieldsNeeded = [&](const dictionary& d)
     {
@@ -197,8 +228,6 @@ Foam::freeStream::freeStream
     // Gases of their own, in the order of the patches
     const polyBoundaryMesh& patches = cells.mesh().boundaryMesh();
     List<const dictionary*> own(patches.size(), nullptr);
-    const dictionary* block = findBlock(coeffs, "inflows");
-    const dictionary inflows(block ? *block : dictionary());
     for (const entry& e : inflows)
     {
         const dictionary& gas = inflows.subDict(e.keyword());
@@ -246,8 +275,9 @@ Foam::freeStream::freeStream
             );
         }
     }
-    if (inflows.size() && !coeffs.found("numberDensities"))
+    if (!ofStock)
     {
+        checkWeight(dict, weight);
         return;
     }
 
@@ -298,6 +328,7 @@ Foam::freeStream::freeStream
             boundaryU->boundaryField()[patchi]
         );
     }
+    checkWeight(dict, weight);
 }
 
 

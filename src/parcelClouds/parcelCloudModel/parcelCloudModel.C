@@ -25,23 +25,6 @@ namespace
 
 using namespace Foam;
 
-//- The stock cloud asks for this block without saying what belongs in it
-void checkSources(const dictionary& solution)
-{
-    if
-    (
-        solution.getOrDefault<bool>("coupled", false)
-     && !solution.subOrEmptyDict("sourceTerms").isDict("schemes")
-    )
-    {
-        FatalIOErrorInFunction(solution)
-            << "Entry sourceTerms is missing: with coupled yes, add" << nl
-            << "    sourceTerms { schemes { U explicit 1; } }"
-            << exit(FatalIOError);
-    }
-}
-
-
 //- Refuse a model of ours whose library is not loaded, which the stock clouds
 //  call unknown
 void findLibraries(const dictionary& dict)
@@ -152,7 +135,14 @@ Foam::autoPtr<Foam::parcelCloudModel> Foam::parcelCloudModel::New
         properties,
         {"type", "solution", "constantProperties", "subModels", "cloudFunctions"}
     );
-    findBlock(properties, "cloudFunctions");
+    for
+    (
+        const char* block
+      : {"constantProperties", "subModels", "cloudFunctions"}
+    )
+    {
+        findBlock(properties, block);
+    }
     const word type
     (
         properties.lookupOrDefault<word>("type", "basicKinematicCloud")
@@ -169,7 +159,6 @@ Foam::autoPtr<Foam::parcelCloudModel> Foam::parcelCloudModel::New
             " to system/controlDict" : ""
         );
     }
-    checkSources(properties.subDict("solution"));
     stockCloudEntries::checkNumbers(properties);
     stockCloudEntries::checkSchemes(properties.subDict("solution"));
     if (type != "spinningKinematicCloud")

@@ -170,7 +170,7 @@ void Foam::solidParticles::readGroups()
         );
         const scalarList fractions
         (
-            getNumbers(d, "massFractions", "[0, 1e30]")
+            getNumbers(d, "massFractions", validRange::number)
         );
         sizes = checked
         (

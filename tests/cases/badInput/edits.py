@@ -108,9 +108,14 @@ mixture
     return change
 
 
-def coupled(case):
+def coupled(case, sources=""):
     edit(case, "constant/sandCloud", "coupled         no;",
-         "coupled yes; sourceTerms { schemes { U explicit 1; } }")
+         "coupled yes;" + sources)
+
+
+def source(entry):
+    return lambda case: coupled(case, " sourceTerms { schemes { " + entry
+                                + " } }")
 
 
 def stock(case):
@@ -269,6 +274,18 @@ TABLE = [
      ["Unknown entry injectionModel", "Did you mean injectionModels?",
       "subModels"]),
     ("coupledSteadyGas", coupled, ["mode", "steady", "transient"]),
+    ("sourceFactor", source("U explicit 0.5;"),
+     ["U explicit 0.5", "explicit 1", "what the parcels lose"]),
+    ("sourceScheme", source("U implicit 1;"),
+     ["Unknown U implicit", "explicit semiImplicit"]),
+    ("sourceField", source("u explicit 1;"),
+     ["Unknown entry u", "Did you mean U?"]),
+    ("wordForBlock", replace("constant/sandCloud", "    particleForces",
+                             "particleForces none; other"),
+     ["particleForces", "not a sub-dictionary", "subModels"]),
+    ("secondBlock", replace(SOLUTION, "highSpeedGas",
+                            "highSpedGas { mode frozen; } highSpeedGas"),
+     ["Unknown entry highSpedGas", "Did you mean highSpeedGas?"]),
     ("motion", replace("constant/sandCloud", "embeddedRK54", "leapfrog"),
      ["motion", "leapfrog", "stock", "embeddedRK54"]),
     ("tolerance", replace("constant/sandCloud", "1e-5", "-1"),

@@ -51,6 +51,12 @@ def remove(*paths):
 EDITS = [   # name, change, texts that the message must hold
     ("weight", replace(GAS, "Particles 1000000000000000.0", "Particles -1"),
      ["dsmcProperties", "nEquivalentParticles -1", "valid range"]),
+    ("weightTooSmall", replace(GAS, "Particles 1000000000000000.0",
+                               "Particles 1e-25"),
+     ["nEquivalentParticles 1e-25", "2147483647", "enter in a step"]),
+    ("patchesWithoutDensities", replace(
+        GAS, "{ numberDensities { Ar 1e20; } patches", "{ patches"),
+     ["Unknown entry patches", "Valid: (numberDensities inflows)"]),
     ("species", replace(GAS, "Ar {", "He {"),
      ["moleculeProperties", "Species Ar of typeIdList", "He"]),
     ("noSpecies", replace(GAS, "typeIdList (Ar)", "typeIdList ()"),

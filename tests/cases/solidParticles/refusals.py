@@ -40,7 +40,7 @@ EDITS = [   # name, change, texts that the message must hold
     ("fractions", replace("(1.0 1.0)", "(1.0)"),
      ["number of massFractions 1", "2"]),
     ("fractionsZero", replace("(1.0 1.0)", "(0 0)"),
-     ["sum of massFractions 0", "valid range"]),
+     ["massFractions 0", "(0, 1e30]"]),
     ("groupType", replace("type list", "type array"),
      ["Unknown type array", "list lognormal"]),
     ("accommodation", replace("accommodation 1.0", "accommodation 1.5"),

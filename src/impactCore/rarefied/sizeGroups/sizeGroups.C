@@ -50,10 +50,9 @@ std::vector<impact::sizeGroups::group> impact::sizeGroups::list
     for (std::size_t i = 0; i < diameters.size(); ++i)
     {
         checkRange("diameters", diameters[i], "(0, 1e3) m");
-        checkRange("massFractions", fractions[i], "[0, 1e100)");
+        checkRange("massFractions", fractions[i], "(0, 1e30]");
         sum += fractions[i];
     }
-    checkRange("sum of massFractions", sum, "(0, inf)");
 
     std::vector<group> groups;
     for (std::size_t i = 0; i < diameters.size(); ++i)
