@@ -8,8 +8,8 @@ import re
 
 import numpy as np
 
-from caseTools import (box, copy_case, decompose, edit, must,
-                       read_field, solve, times_of, verdict, write_block, write_case, write_field,
+from caseTools import (box, complaint, copy_case, decompose, edit, must,
+                       read_field, run, solve, times_of, verdict, write_block, write_case, write_field,
                        write_foam)
 
 N = (24, 12, 1)
@@ -56,8 +56,9 @@ cloudFunctions {}
 
 
 def make(case, motion, sides="wall", layers=0, change=lambda cloud: cloud,
-         gas="frozen"):
-    """layers: cells across; 0: two dimensions."""
+         gas="frozen", corners=None, across="empty"):
+    """layers: cells across; 0: two dimensions. across: type of the patches in
+    front and back then."""
     write_case(
         case,
         {"endTime": 8e-6, "deltaT": 2e-7, "writeInterval": 4e-6,
@@ -66,13 +67,15 @@ def make(case, motion, sides="wall", layers=0, change=lambda cloud: cloud,
     types = {"xMin": "patch", "xMax": "wall", "yMin": sides, "yMax": sides}
     if layers:
         types.update({"zMin": "wall", "zMax": "wall"})
-    write_block(case, box(LENGTH), (*N[:2], max(layers, 1)), types)
+    elif across != "empty":
+        types.update({"zMin": across, "zMax": across})
+    write_block(case, corners or box(LENGTH), (*N[:2], max(layers, 1)), types)
     must(case, "blockMesh")
     fixed = {side: "type zeroGradient;"
              for side in ("xMin", "xMax", "yMin", "yMax")}
     if sides == "cyclic":
         fixed.update({side: "type cyclic;" for side in ("yMin", "yMax")})
-    fixed.update({side: "type zeroGradient;" if layers else "type empty;"
+    fixed.update({side: "type zeroGradient;" if layers else f"type {across};"
                   for side in ("zMin", "zMax")})
     write_field(case, "p", 3e4, fixed)
     write_field(case, "T", 250, fixed)
@@ -264,6 +267,46 @@ total = [given(["coupled_2One"]), given(["coupled_2Ranks/processor0",
 verdict("ranks_give_the_gas_the_same",
         np.abs(total[0] - total[1]).max() < 1e-10*np.abs(total[0]).max(),
         f"{total} kg m/s")
+
+
+# Parcels meet as circles in a plane and stand for the grains of one thickness:
+# neither holds in a wedge, nor on a plate that grows thicker
+def thicker(by):
+    return [(x, y, z*(1 + by*x/LENGTH[0])) for x, y, z in box(LENGTH)]
+
+
+def wedge():
+    half, heights = np.radians(2), (2e-3, 2e-3 + LENGTH[1])
+    return [(x, heights[k]*np.cos(half), side*heights[k]*np.sin(half))
+            for side in (-1, 1)
+            for x, k in ((0, 0), (LENGTH[0], 0), (LENGTH[0], 1), (0, 1))]
+
+
+UNEVEN = ["collisions eventDriven", "off on a wedge", "varying thickness"]
+for name, corners, across, words in (
+        ("wedge", wedge(), "wedge", UNEVEN),
+        # So little that OpenFOAM takes it for two dimensions, and more
+        ("thicker", thicker(1.2e-5), "empty", UNEVEN),
+        ("muchThicker", thicker(1e-2), "empty", ["dimension 2", "2 or 3"])):
+    make(name, "embeddedRK54", corners=corners, across=across)
+    if name == "muchThicker":
+        edit(name, "constant/sandProperties", "type eventDriven;",
+             "type eventDriven; dimension 2;")
+    status, text = run(name, "rhoCentralParcelFoam")
+    message = text[max(text.find("FOAM FATAL IO ERROR"), 0):]
+    missing = [w for w in words if w not in message.split("From function")[0]]
+    verdict(f"collisions_refused_{name}", status and not missing
+            and "\nTime = " not in text,
+            f"status {status}, the message lacks {missing}: "
+            f"{complaint(text)}")
+    edit(name, "constant/sandProperties",
+         "collisions { type eventDriven; restitution 0.9; friction 0.2; }"
+         if name != "muchThicker" else
+         "collisions { type eventDriven; dimension 2; restitution 0.9;"
+         " friction 0.2; }", "collisions off;")
+    edit(name, "system/controlDict", "endTime 8e-06", "endTime 4e-07")
+    status, text = run(name, "rhoCentralParcelFoam")
+    verdict(f"runs_without_collisions_{name}", status == 0, complaint(text))
 
 straight = copy_case("embeddedRK54Half", "ranksStraight")
 decompose(straight)
