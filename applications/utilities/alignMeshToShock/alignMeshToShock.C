@@ -24,10 +24,53 @@ Description
 #include "fvCFD.H"
 #include "completeWrite.H"
 #include "cloud.H"
+#include "finishFile.H"
 #include "highSpeedGas.H"
+#include "OFstream.H"
 #include "presentFile.H"
 #include "release.H"
 #include "shockAlignment.H"
+
+namespace
+{
+
+using namespace Foam;
+
+//- Replace files once all of the new ones are whole: a full disk leaves the mesh
+//  and the fields as they were
+void write(const UPtrList<const regIOobject>& objects)
+{
+    const auto unfinished = [](const regIOobject& object)
+    {
+        return fileName(object.objectPath() + ".unfinished");
+    };
+    forAll(objects, i)
+    {
+        errno = 0;
+        OFstream os(unfinished(objects[i]), objects[i].time().writeFormat());
+        if (!os.good())
+        {
+            failedFile(os.name(), errno);
+        }
+        objects[i].writeHeader(os);
+        objects[i].writeData(os);
+        IOobject::writeEndDivider(os);
+        finishFile(os);
+    }
+    forAll(objects, i)
+    {
+        const fileName file(objects[i].objectPath());
+        errno = 0;
+        if (!mv(unfinished(objects[i]), file))
+        {
+            failedFile(file, errno);
+        }
+        rm(file + ".gz");
+    }
+}
+
+} // End anonymous namespace
+
 
 int main(int argc, char* argv[])
 {
@@ -77,18 +120,14 @@ int main(int argc, char* argv[])
     IOstream::defaultPrecision(17);
     auto& points = mesh.thisDb().lookupObjectRef<pointIOField>("points");
     points.instance() = mesh.facesInstance();
-    bool written = points.write();
+    UPtrList<const regIOobject> objects(4);
+    objects.set(0, &points);
+    label n = 1;
     for (const word name : {"p", "T", "U"})
     {
-        written =
-            mesh.thisDb().lookupObject<regIOobject>(name).write() && written;
+        objects.set(n++, &mesh.thisDb().lookupObject<regIOobject>(name));
     }
-    if (!written)
-    {
-        FatalErrorInFunction
-            << "The mesh and the fields could not be written"
-            << exit(FatalError);
-    }
+    withReason([&] { write(objects); });
     Info<< "Fields p, T, U of time " << runTime.timeName() << " written" << nl
         << "Points written to "
         << points.instance()/points.local()/points.name() << nl
