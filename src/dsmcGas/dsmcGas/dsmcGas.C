@@ -403,10 +403,12 @@ void Foam::dsmcGas::readWalls()
         {
             if (!within(wallT[i], validRange::temperature))
             {
-                FatalIOErrorInFunction(boundaryT_->objectPath())
-                    << "Entry boundaryT of the diffuse wall " << patch.name()
-                    << ' ' << wallT[i] << ": valid range "
-                    << validRange::temperature << exit(FatalIOError);
+                refuse
+                (
+                    dictionary(boundaryT_->objectPath()),
+                    "boundaryT of the diffuse wall " + patch.name(), wallT[i],
+                    validRange::temperature
+                );
             }
             const vector n = normalised(patch.faceAreas()[i]);
             if
@@ -415,11 +417,13 @@ void Foam::dsmcGas::readWalls()
              || mag(wallU[i] & n) > 1e-6*mag(wallU[i])
             )
             {
-                FatalIOErrorInFunction(boundaryU_->objectPath())
-                    << "Entry boundaryU of the diffuse wall " << patch.name()
-                    << ' ' << wallU[i] << " where its normal is " << n
-                    << ": valid range a velocity along the wall, less than"
-                    << " 3e8 m/s" << exit(FatalIOError);
+                refuse
+                (
+                    dictionary(boundaryU_->objectPath()),
+                    "boundaryU of the diffuse wall " + patch.name(), wallU[i],
+                    "a velocity along the wall, whose normal is ", n,
+                    ", less than 3e8 m/s"
+                );
             }
         }
     }

@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "gasEquations.H"
+#include "checked.H"
 #include "thermodynamicConstants.H"
 #include <algorithm>
 
@@ -248,15 +249,7 @@ void Foam::gasEquations::setTransport()
 
     auto inRange = [&](const word& name, const bool zeroToo)
     {
-        const scalar value = d.get<scalar>(name);
-        if (!(value > 0 || (zeroToo && value == 0)))
-        {
-            FatalIOErrorInFunction(d)
-                << "Entry " << name << " is " << value
-                << "; its valid range is " << (zeroToo ? ">= 0" : "> 0")
-                << exit(FatalIOError);
-        }
-        return value;
+        return getNumber(d, name, zeroToo ? "[0, inf)" : "(0, inf)");
     };
 
     transportKnown_ = model == "sutherland" || model == "const";

@@ -128,10 +128,7 @@ Foam::labelList Foam::solidInflow::regionCells(const dictionary& d) const
         const boundBox box(low, high);
         if (!(box.span().x() > 0 && box.span().y() > 0 && box.span().z() > 0))
         {
-            FatalIOErrorInFunction(d)
-                << "Entry box " << low << ' ' << high
-                << ": valid range least and greatest corner"
-                << exit(FatalIOError);
+            refuse(d, "box", box, "least and greatest corner");
         }
         forAll(mesh.cellCentres(), i)
         {

@@ -172,15 +172,13 @@ void Foam::EventDrivenCollisions<CloudType>::checkNumber
      && (dimension_ != 2 || mag(n - slab) > 1e-6*slab)
     )
     {
-        FatalIOErrorInFunction(dict_)
-            << "A parcel of nParticle " << n << " and diameter " << p.d()
-            << " m, at " << p.position() << ": the valid range of nParticle"
-            << " with collisions is 1";
-        if (dimension_ == 2)
-        {
-            FatalIOError<< " or slabThickness/d = " << slab;
-        }
-        FatalIOError<< exit(FatalIOError);
+        refuse
+        (
+            dict_, "nParticle", n, "1 with collisions",
+            dimension_ == 2 ? " in two dimensions, or slabThickness/d" : "",
+            ". The parcel has a diameter of ", p.d(), " m and is at ",
+            p.position()
+        );
     }
 }
 

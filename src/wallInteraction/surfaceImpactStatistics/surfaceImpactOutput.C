@@ -489,7 +489,7 @@ void Foam::surfaceImpactStatistics::readRestart()
         FatalIOErrorInFunction(dict_)
             << functionName_ << ": the averages kept in "
             << restart_.objectPath() << " were made with other " << what
-            << ". Restore those, or remove the file to begin new averages."
+            << ". Restore those, or begin new averages with restart anew;"
             << exit(FatalIOError);
     };
 

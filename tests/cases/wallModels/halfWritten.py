@@ -1,11 +1,13 @@
 # parcelImpact. License: GPL-3.0-or-later, see COPYING.
-"""A stock solver's time directory that was not written to its end: a restart
-must not begin with fewer parcels, an empty layer or new averages in silence."""
+"""Restarts in a stock solver. A time directory that was not written to its end
+must not begin with fewer parcels, an empty layer or new averages in silence;
+nor may a model or averages with other settings than before."""
 
+import csv
 import os
 import shutil
 
-from caseTools import complaint, copy_case, run, times_of, verdict
+from caseTools import complaint, copy_case, edit, run, times_of, verdict
 from plate import CLOUD, SOLVER, injector, mesh, solve, write_plate
 
 COEFFS = """
@@ -39,7 +41,7 @@ for name, words in (("lagrangian/" + CLOUD, ["0 parcels of 5"]),
                      [f"{CLOUD}:hits is missing"]),
                     (f"{CLOUD}:layer0Number", ["layer0Number is missing"]),
                     (f"{CLOUD}:layer0Mass", ["layer0Mass is missing"])):
-    bad = copy_case(case, "bad")
+    bad = copy_case(case, "damaged")
     path = f"{bad}/{times[1]}/{name}"
     if not os.path.exists(path):
         verdict("halfWritten_" + os.path.basename(name), False,
@@ -58,3 +60,46 @@ for name, words in (("lagrangian/" + CLOUD, ["0 parcels of 5"]),
             else f"lacks {missing}: {complaint(text)}" if status
             else "accepted")
     shutil.rmtree(bad)
+
+
+# Settings that have changed. All impacts are in the part before
+SAID = "settings of the wall model are not those of the run before"
+LEFT = "averages of an earlier part of the run are left behind"
+THRESHOLD = "threshold 0;", "threshold 1;"
+HARD = ("patchInteractionModel jkrAdhesion;", "patchInteractionModel"
+        " hardSphereWall; hardSphereWallCoeffs { patches"
+        " ( \".*\" { restitution 0.5; friction 0.1; } ); }")
+for name, changes, impacts, words in (
+        ("nothing", [], 5, []),
+        ("patch", [("friction 0.3", "friction 0.4")], 5,
+         [SAID, "(jkrAdhesion then)", "restart anew;"]),
+        ("model", [HARD], 5, [SAID, "(jkrAdhesion then)", "restart anew;"]),
+        ("anew", [("threshold 0;", "threshold 0; restart anew;")], 0, [LEFT]),
+        ("patchAnew", [("friction 0.3", "friction 0.4"),
+                       ("threshold 0;", "threshold 0; restart anew;")], 0,
+         [SAID, LEFT]),
+        ("averages", [THRESHOLD], None,
+         ["made with other settings", "threshold", "restart anew;"]),
+        ("averagesAnew", [THRESHOLD, ("threshold 1;",
+                                      "threshold 1; restart anew;")], 0,
+         [LEFT])):
+    changed = copy_case(case, "changed")
+    shutil.rmtree(f"{changed}/postProcessing")
+    for old, new in changes:
+        edit(changed, f"constant/{CLOUD}Properties", old, new)
+    status, text = run(changed, SOLVER)
+    wrong = [f"lacks {w!r}" for w in words if w not in text]
+    wrong += [f"says {w!r}" for w in (SAID, LEFT)
+              if w in text and w not in words]
+    found = None
+    if not status:
+        folder = f"{changed}/postProcessing/hits/{CLOUD}"
+        last = max(os.listdir(folder), key=float)
+        with open(f"{folder}/{last}/byPatch.csv") as file:
+            rows = [r for r in csv.reader(file) if r and r[0][0] != "#"]
+        found = int(rows[1][rows[0].index("nImpacts")])
+    if found != impacts or (impacts is None and "Time = " in text):
+        wrong.append(f"{found} impacts, expected {impacts}")
+    verdict(f"changed_{name}", not wrong, "; ".join(wrong) + ": "
+            + complaint(text) if wrong else f"{found} impacts")
+    shutil.rmtree(changed)

@@ -5,6 +5,8 @@ import os
 import subprocess
 import sys
 
+if "PARCEL_IMPACT_DIR" not in os.environ:
+    sys.exit("source etc/bashrc of parcelImpact first")
 for shared in ("etc/python", "applications/utilities/jkrImpact"):
     sys.path.insert(0, os.path.join(os.environ["PARCEL_IMPACT_DIR"], shared))
 from jkrData import Result

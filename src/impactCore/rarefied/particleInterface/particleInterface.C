@@ -88,15 +88,12 @@ void check
     double value
 )
 {
-    const char* range =
-        column < 6 ? "(-inf, inf)" : column < 8 ? "(0, inf)" : "[0, inf)";
-    if (!impact::within(value, range))
-    {
-        std::ostringstream text;
-        text<< "line " << lineNumber << ": " << columns[column] << ' '
-            << value << ": valid range " << range;
-        complain(file, text.str());
-    }
+    impact::checkRange
+    (
+        file + ": line " + std::to_string(lineNumber) + ": " + columns[column],
+        value,
+        column < 6 ? "(-inf, inf)" : column < 8 ? "(0, inf)" : "[0, inf)"
+    );
 }
 
 } // End anonymous namespace

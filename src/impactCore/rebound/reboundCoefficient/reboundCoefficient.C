@@ -175,11 +175,11 @@ impact::reboundCoefficient impact::reboundCoefficient::polynomial
             const double value = c.evaluate(angle, speed);
             if (!(value >= q.low && value <= q.high))
             {
-                impact::throwInvalid
+                impact::throwOutOfRange
                 (
-                    q.name, " coefficients: the polynomial is ", value,
-                    " at ", angle, " deg, ", speed, " m/s: valid range [",
-                    q.low, ", ", q.high, "]"
+                    q.name + " coefficients: the polynomial is", value,
+                    impact::rangeText("[]", q.low, q.high), ", here at ",
+                    angle, " deg, ", speed, " m/s"
                 );
             }
         }

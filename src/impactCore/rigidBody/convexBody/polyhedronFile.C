@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "convexBody.H"
+#include "outOfRange.H"
 
 #include <cstdint>
 #include <cstring>
@@ -202,14 +203,7 @@ impact::convexBody impact::convexBody::polyhedron
     double scale
 )
 {
-    if (!(scale > 0) || !(scale < 1e100))
-    {
-        throw std::invalid_argument
-        (
-            "polyhedron scale " + std::to_string(scale)
-          + ": must be positive and finite"
-        );
-    }
+    checkRange("polyhedron scale", scale, "(0, 1e100)");
     surface s = readSurface(fileName);
     for (vector3& p : s.points)
     {

@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "scatteringTable.H"
+#include "outOfRange.H"
 #include "scatteringSampler.H"
 
 #include <algorithm>
@@ -39,7 +40,7 @@ std::string text(const Parts&... parts)
 template<class... Parts>
 [[noreturn]] void refuse(const Parts&... parts)
 {
-    throw std::invalid_argument(text(parts...));
+    impact::throwInvalid(text(parts...));
 }
 
 
@@ -189,10 +190,7 @@ impact::scatteringTable::scatteringTable
     radius_(setup.body.radius()),
     diameter_(equivalentDiameter(setup.body))
 {
-    if (nRows < 1)
-    {
-        refuse("rows of a table: ", nRows, ": valid range >= 1");
-    }
+    checkRange("rows of a table", nRows, "[1, inf)");
     for (std::size_t i = 0; i < incidences.size(); ++i)
     {
         if (i > 0 && !(incidences[i] > incidences[i - 1]))
