@@ -722,7 +722,11 @@ void Foam::solidParticles::writeTallies() const
         }
     }
     state.add("deposits", deposits);
+
+    // A restart goes on with the same bits, whatever writePrecision is
+    const unsigned precision = IOstream::defaultPrecision(17);
     state.regIOobject::write();
+    IOstream::defaultPrecision(precision);
 }
 
 

@@ -175,7 +175,8 @@ void Foam::EventDrivenCollisions<CloudType>::checkNumber
         refuse
         (
             dict_, "nParticle", n, "1 with collisions",
-            dimension_ == 2 ? " in two dimensions, or slabThickness/d" : "",
+            dimension_ == 2
+          ? (" or slabThickness/d = " + Foam::name(slab)).c_str() : "",
             ". The parcel has a diameter of ", p.d(), " m and is at ",
             p.position()
         );

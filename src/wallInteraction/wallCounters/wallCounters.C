@@ -8,10 +8,65 @@
 #include "ops.H"
 #include "withheldOutput.H"
 
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+
 namespace Foam
 {
     defineTypeNameAndDebug(wallCounters, 0);
 }
+
+
+namespace
+{
+
+using namespace Foam;
+
+//- Numbers as strings: the cloud's output properties are written as text, of
+//  as many digits as writePrecision says, which are too few for counts
+List<string> exactText(const scalarList& numbers)
+{
+    List<string> texts(numbers.size());
+    forAll(numbers, i)
+    {
+        char text[32];
+        std::snprintf(text, sizeof(text), "%.17g", numbers[i]);
+        texts[i] = text;
+    }
+    return texts;
+}
+
+
+//- The same read, or the plain numbers of earlier versions; none if there is no
+//  such entry
+scalarList readTotals(const dictionary& stored, const word& entry)
+{
+    if (!stored.found(entry))
+    {
+        return scalarList();
+    }
+    const ITstream& is = stored.lookup(entry);
+    if
+    (
+        std::none_of
+        (
+            is.begin(), is.end(), [](const token& t) { return t.isString(); }
+        )
+    )
+    {
+        return stored.get<scalarList>(entry);
+    }
+    const List<string> texts(stored.get<List<string>>(entry));
+    scalarList totals(texts.size());
+    forAll(texts, i)
+    {
+        totals[i] = std::strtod(texts[i].c_str(), nullptr);
+    }
+    return totals;
+}
+
+} // End anonymous namespace
 
 
 Foam::wallCounters::wallCounters(const IOobject& io)
@@ -95,7 +150,7 @@ void Foam::wallCounters::report
            .subDictOrAdd(p.model);
         const word entry("wallCounters_" + p.patch);
 
-        scalarList total(stored.getOrDefault<scalarList>(entry, scalarList()));
+        scalarList total(readTotals(stored, entry));
         total.resize(nQuantities, Zero);
         scalarList recent(p.sinceStored);
         Pstream::listCombineGather(recent, plusEqOp<scalar>());
@@ -134,7 +189,7 @@ void Foam::wallCounters::report
 
         if (store)
         {
-            stored.set(entry, total);
+            stored.set(entry, exactText(total));
             p.sinceStored = Zero;
         }
     }

@@ -285,12 +285,12 @@ TEST_F(kinematicWallModels, reportWithinMultiInteraction)
     const string text(report.str());
     EXPECT_NE(text.find("hardSphereWall, patch plate"), string::npos) << text;
     EXPECT_NE(text.find("semiEmpiricalRebound, patch inlet"), string::npos);
-    const scalarList stored
+    const List<string> stored
     (
         properties.subDict("patchInteractionModel").subDict("hardSphereWall")
-       .get<scalarList>("wallCounters_plate")
+       .get<List<string>>("wallCounters_plate")
     );
-    EXPECT_EQ(stored[wallCounters::hits], nToPlate);
+    EXPECT_EQ(stored[wallCounters::hits], std::to_string(nToPlate));
 }
 
 

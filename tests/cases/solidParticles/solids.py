@@ -101,6 +101,23 @@ verdict("beam_restartGoesOn", deposited[2] > stuck[2]
                           "massFlux.solids", "xMax").mean()/2e-2 - 1) < 0.01,
         f"{deposited[2]:.4g} kg deposited after {stuck[2]:.4g} kg")
 
+# Tallies go on with all their digits, whatever writePrecision is
+copy_case("beamTwo", "digits")
+edit("digits", "system/controlDict", "writeInterval 200", "writeInterval 100")
+edit("digits", "system/controlDict", "writePrecision 16", "writePrecision 6")
+solve("digits")
+copy_case("digits", "digitsAgain")
+shutil.rmtree(f"digitsAgain/{end}")
+solve("digitsAgain")
+states = []
+for case in "digits", "digitsAgain":
+    with open(f"{case}/{end}/uniform/solidParticlesState") as file:
+        states.append(file.read())
+verdict("tallies_of_a_restart_are_exact", states[0] == states[1]
+        and re.search(r"mass +\d\.\d{13,}", states[0]),
+        "\n".join(a for a, b in zip(*(s.split("\n") for s in states))
+                  if a != b)[:300] or "the same file")
+
 # What entered and what stays on the wall are counted by different ranks
 edit("beamTwo", "system/controlDict", "writeInterval 200",
      "writeInterval 100")

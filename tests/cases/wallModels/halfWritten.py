@@ -5,6 +5,7 @@ nor may a model or averages with other settings than before."""
 
 import csv
 import os
+import re
 import shutil
 
 from caseTools import complaint, copy_case, edit, run, times_of, verdict
@@ -103,3 +104,44 @@ for name, changes, impacts, words in (
     verdict(f"changed_{name}", not wrong, "; ".join(wrong) + ": "
             + complaint(text) if wrong else f"{found} impacts")
     shutil.rmtree(changed)
+
+
+# Counters go on with all their digits, whatever writePrecision is; earlier
+# versions wrote them as plain numbers
+LOST = re.compile(r"wallCounters_yMin\s+\d*\s*\(([^)]*)\)")
+
+
+def counts(case, time):
+    path = f"{case}/{time}/uniform/lagrangian/{CLOUD}/{CLOUD}OutputProperties"
+    with open(path) as file:
+        return LOST.search(file.read()).group(1).split()
+
+
+case = "digits"
+write_plate(case, "hardSphereWall", 'patches ( yMin { restitution 0.7;'
+            ' friction 0.1; } "(x|z)M.*|yMax" { type escape; } );',
+            [injector((0.4, y, 0.1), (0.6, y, 0.1), 7, (0, -u, 0), 1e-6)
+             for y, u in ((1e-6, 0.013), (5e-4, 1.07))],
+            end=8e-4, step=2e-4, write=2)
+mesh(case)
+edit(case, "system/controlDict", "writePrecision 17", "writePrecision 6")
+solve(case)
+first, last = times_of(case)[1:3]
+again = copy_case(case, "digitsAgain")
+shutil.rmtree(f"{again}/{last}")
+old = copy_case(again, "digitsOld")
+solve(again)
+verdict("counters_of_a_restart_are_exact",
+        counts(again, last) == counts(case, last)
+        and counts(case, last)[0] == '"14"'
+        and max(map(len, counts(case, first))) > 12,
+        f"{counts(again, last)[:8]}, straight {counts(case, last)[:8]}")
+path = f"{old}/{first}/uniform/lagrangian/{CLOUD}/{CLOUD}OutputProperties"
+with open(path) as file:
+    text = file.read()
+with open(path, "w") as file:
+    file.write(text.replace(LOST.search(text).group(0), LOST.search(
+        text).group(0).replace('"', "")))
+solve(old)
+verdict("counters_of_earlier_versions_go_on", counts(old, last)[0] == '"14"',
+        f"{counts(old, last)[:2]}")
