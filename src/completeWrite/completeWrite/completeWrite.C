@@ -9,6 +9,7 @@
 #include "DynamicList.H"
 #include "HashSet.H"
 #include "SHA1.H"
+#include "checked.H"
 #include "finishFile.H"
 
 #include <algorithm>
@@ -267,6 +268,12 @@ void Foam::completeWrite::end(const Time& runTime)
 
 void Foam::completeWrite::checkStart(const Time& runTime)
 {
+    checkNumber
+    (
+        runTime.controlDict(), "deltaT", runTime.deltaTValue(),
+        validRange::duration
+    );
+
     const fileName top(runTime.path()/runTime.timeName());
     std::ifstream mark(top/"uniform"/"complete");
     std::string line;

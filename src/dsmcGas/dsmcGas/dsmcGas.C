@@ -217,8 +217,13 @@ void Foam::dsmcGas::readSpecies()
             << exit(FatalIOError);
     }
     const dictionary& all = properties_.subDict("moleculeProperties");
-    for (const word& name : names_)
+    forAll(names_, i)
     {
+        const word& name = names_[i];
+        if (names_.find(name) != i)
+        {
+            refuse(properties_, "typeIdList", name, "a list of different names");
+        }
         if (!all.isDict(name))
         {
             FatalIOErrorInFunction(all)

@@ -330,6 +330,8 @@ TABLE = [
              "restitution -0.1"), ["restitution", "-0.1", "[0, 1]"]),
     ("injectionPatch", replace(STREAM, "(freestream)", "(nowhere)"),
      ["patches", "nowhere", "freestream", "cylinder"]),
+    ("timeStep", replace("system/controlDict", "deltaT ", "deltaT 0; //"),
+     ["deltaT 0", "(0, 1e12] s", "controlDict"]),
     ("movingMesh", with_file("constant/dynamicMeshDict",
                              "dynamicFvMesh dynamicMotionSolverFvMesh;"),
      ["dynamicFvMesh", "dynamicMotionSolverFvMesh", "staticFvMesh"]),

@@ -61,6 +61,8 @@ EDITS = [   # name, change, texts that the message must hold
      ["moleculeProperties", "Species Ar of typeIdList", "He"]),
     ("noSpecies", replace(GAS, "typeIdList (Ar)", "typeIdList ()"),
      ["dsmcProperties", "typeIdList is empty"]),
+    ("speciesTwice", replace(GAS, "typeIdList (Ar)", "typeIdList (Ar Ar)"),
+     ["typeIdList Ar", "different names"]),
     ("mass", replace(GAS, "mass 6.63e-26", "mass 0"),
      ["dsmcProperties", "Entry mass 0", "valid range"]),
     ("diameter", replace(GAS, "diameter 4.17e-10", "diameter -1"),
