@@ -38,13 +38,17 @@ int main(int argc, char* argv[])
     highSpeedGas gas(mesh);
     parcelClouds clouds(mesh, gas.rho(), gas.U(), gas.thermo());
 
-    const bool coupled = clouds.coupled();
-    if (coupled)
+    if (clouds.coupled())
     {
         gas.needTransient("A cloud that acts on the gas");
     }
-    vectorField momentum(coupled ? mesh.nCells() : 0);
-    scalarField energy(momentum.size());
+    const parcelClouds::receiver receive
+    (
+        [&gas](const vectorField& momentum, const scalarField& energy)
+        {
+            gas.receive(momentum, energy);
+        }
+    );
 
     Info<< nl << "Starting time loop" << nl << endl;
 
@@ -61,12 +65,7 @@ int main(int argc, char* argv[])
 
         if (!clouds.empty())
         {
-            clouds.evolve(changed);
-        }
-        if (coupled)
-        {
-            clouds.give(momentum, energy);
-            gas.receive(momentum, energy);
+            clouds.evolve(changed, receive);
         }
 
         if (clouds.empty() && gas.frozen())

@@ -96,6 +96,26 @@ const Foam::volScalarField& Foam::parcelClouds::mu()
 }
 
 
+void Foam::parcelClouds::setGasChanged()
+{
+    if (mu_.valid())
+    {
+        mu_() = thermo_.mu();
+    }
+
+    // A solver that writes through raw arrays leaves no trace that the
+    // cached point values would notice
+    const_cast<volScalarField&>(rho_).setUpToDate();
+    const_cast<volVectorField&>(U_).setUpToDate();
+    const_cast<volScalarField&>(thermo_.T()).setUpToDate();
+    const tmp<volScalarField> tmu(thermo_.mu());
+    if (!tmu.isTmp())
+    {
+        const_cast<volScalarField&>(tmu()).setUpToDate();
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::parcelClouds::parcelClouds
@@ -138,7 +158,11 @@ Foam::parcelClouds::parcelClouds
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::parcelClouds::evolve(const bool gasChanged)
+void Foam::parcelClouds::evolve
+(
+    const bool gasChanged,
+    const receiver& receive
+)
 {
     if (empty())
     {
@@ -147,27 +171,26 @@ void Foam::parcelClouds::evolve(const bool gasChanged)
 
     if (gasChanged)
     {
-        if (mu_.valid())
-        {
-            mu_() = thermo_.mu();
-        }
-
-        // A solver that writes through raw arrays leaves no trace that the
-        // cached point values would notice
-        const_cast<volScalarField&>(rho_).setUpToDate();
-        const_cast<volVectorField&>(U_).setUpToDate();
-        const_cast<volScalarField&>(thermo_.T()).setUpToDate();
-        const tmp<volScalarField> tmu(thermo_.mu());
-        if (!tmu.isTmp())
-        {
-            const_cast<volScalarField&>(tmu()).setUpToDate();
-        }
+        setGasChanged();
     }
 
     const withheldOutput quiet(!rho_.time().writeTime());
     forAll(clouds_, i)
     {
         clouds_[i].evolve();
+        if (receive && clouds_[i].coupled())
+        {
+            momentum_.resize(rho_.size());
+            energy_.resize(rho_.size());
+            momentum_ = Zero;
+            energy_ = 0;
+            clouds_[i].give(momentum_, energy_);
+            receive(momentum_, energy_);
+            if (i + 1 < clouds_.size())
+            {
+                setGasChanged();
+            }
+        }
     }
 }
 
@@ -180,24 +203,6 @@ bool Foam::parcelClouds::coupled() const
         any = any || clouds_[i].coupled();
     }
     return any;
-}
-
-
-void Foam::parcelClouds::give
-(
-    vectorField& momentum,
-    scalarField& energy
-) const
-{
-    momentum = vector::zero;
-    energy = 0;
-    forAll(clouds_, i)
-    {
-        if (clouds_[i].coupled())
-        {
-            clouds_[i].give(momentum, energy);
-        }
-    }
 }
 
 

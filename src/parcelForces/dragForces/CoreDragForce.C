@@ -21,7 +21,7 @@ impact::dragLaw::coefficients Foam::CoreDragForce<CloudType>::read
     if (kind.compressible)
     {
         entries.append("thermo");
-        if (!parcelTemperature::has<parcelType>())
+        if (!parcelTemperature::has<parcelType>(this->owner().solution().dict()))
         {
             entries.append("TwOverT");
             c.TpOverT = getNumber

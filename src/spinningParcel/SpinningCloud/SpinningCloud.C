@@ -7,6 +7,7 @@
 #include "CoreDragForce.H"
 #include "GravityForce.H"
 #include "MagnusForce.H"
+#include "meshTools.H"
 #include "NoDispersion.H"
 #include "stockCloudEntries.H"
 #include "withheldOutput.H"
@@ -21,15 +22,18 @@ void Foam::SpinningCloud<CloudType>::setModels()
     const dictionary& solution = this->solution().dict();
     stockCloudEntries::checkSolution
     (
-        solution, {"rotation", "motion", "collisions"}
+        solution, {"rotation", "motion", "collisions", "heatTransfer"}
     );
+    wordList properties({"omega0"});
+    properties.append(heatTransfer::properties);
     stockCloudEntries::checkProperties
     (
-        this->particleProperties().subDict("constantProperties"), {"omega0"}
+        this->particleProperties().subDict("constantProperties"), properties
     );
     stockCloudEntries::checkModels
     (
-        this->subModelProperties(), {"rotationalTorqueModel"}
+        this->subModelProperties(),
+        {"rotationalTorqueModel", "heatTransferModel"}
     );
     rotation_ = solution.lookupOrDefault<Switch>("rotation", true);
     torque_ = rotationalTorqueModel::New(this->subModelProperties());
@@ -57,6 +61,22 @@ void Foam::SpinningCloud<CloudType>::setModels()
         checkEmbedded();
         Info<< "Selecting parcel motion embeddedRK54, tolerance " << tolerance
             << ", gas " << gas_->scheme() << endl;
+    }
+
+    if (solution.lookupOrDefault<Switch>("heatTransfer", false))
+    {
+        if (!embedded_.valid())
+        {
+            refuse
+            (
+                solution, "heatTransfer", "on", "off with motion stock, on"
+                " with motion embeddedRK54"
+            );
+        }
+        heat_.reset
+        (
+            new heatTransfer(this->particleProperties(), this->mesh())
+        );
     }
 
     Info<< "Parcels of " << label(sizeof(parcelType)) << " bytes" << endl;
@@ -106,6 +126,40 @@ void Foam::SpinningCloud<CloudType>::setCollisions()
                 coeffs ? *coeffs : dictionary(solution, dictionary())
             )
         );
+    }
+}
+
+
+template<class CloudType>
+void Foam::SpinningCloud<CloudType>::checkTemperatures()
+{
+    label without = 0;
+    for (parcelType& p : *this)
+    {
+        scalar& T = p.temperature();
+        if (!heat_.valid())
+        {
+            T = 0;
+        }
+        else if (T == 0)
+        {
+            T = heat_->T0();
+            ++without;
+        }
+        else if (!(T > 0 && T < 1e8))
+        {
+            FatalErrorInFunction
+                << "File " << this->fieldIOobject("T", IOobject::NO_READ)
+                   .objectPath()
+                << " has a temperature of " << T << " K: valid range "
+                << validRange::temperature << exit(FatalError);
+        }
+    }
+    reduce(without, sumOp<label>());
+    if (without)
+    {
+        Info<< "Parcels without a temperature, which begin at T0 "
+            << heat_->T0() << " K: " << without << endl;
     }
 }
 
@@ -231,43 +285,131 @@ void Foam::SpinningCloud<CloudType>::prepareMotion()
         }
     }
 
-    gas_->update
-    (
-        this->U(),
-        halfCurl_,
-        this->rho(),
-        this->mu(),
-        drag && drag->gas() ? &drag->gas()->T() : nullptr
-    );
+    const fluidThermo* thermo =
+        heat_.valid() ? &heat_->thermo() : drag ? drag->gas() : nullptr;
+    const volScalarField* T = thermo ? &thermo->T() : nullptr;
+    gas_->update(this->U(), halfCurl_, this->rho(), this->mu(), T);
 
-    if (core)
-    {
-        coreForce_.reset
+    coreForce_.clear();
+    listedForce_.clear();
+    heatedCoreForce_.clear();
+    heatedListedForce_.clear();
+    const spinningListedForce<spinningCloudType> listed(*this, magnus);
+    const spinningCoreForce coreForce
+    (
+        impact::sphereForces
         (
-            new spinningCoreForce
+            core && drag ? &drag->drag() : nullptr,
+            core && drag ? drag->gammaR() : 1,
+            magnus && rotation_,
+            torque_->active() && rotation_,
+            toCore(gravity ? this->g().value() : vector::zero),
+            counts_
+        ),
+        this->mesh()
+    );
+    if (heat_.valid())
+    {
+        heat_->update();
+        const impact::sphereHeat sphere(heat_->sphere());
+        if (core)
+        {
+            heatedCoreForce_.reset
             (
-                impact::sphereForces
+                new heatedForce<spinningCoreForce>(sphere, coreForce)
+            );
+        }
+        else
+        {
+            heatedListedForce_.reset
+            (
+                new heatedForce<spinningListedForce<spinningCloudType>>
                 (
-                    drag ? &drag->drag() : nullptr,
-                    drag ? drag->gammaR() : 1,
-                    magnus && rotation_,
-                    torque_->active() && rotation_,
-                    toCore(gravity ? this->g().value() : vector::zero),
-                    counts_
-                ),
-                this->mesh()
-            )
-        );
-        listedForce_.clear();
+                    sphere, listed
+                )
+            );
+        }
+    }
+    else if (core)
+    {
+        coreForce_.reset(new spinningCoreForce(coreForce));
     }
     else
     {
         listedForce_.reset
         (
-            new spinningListedForce<spinningCloudType>(*this, magnus)
+            new spinningListedForce<spinningCloudType>(listed)
         );
-        coreForce_.clear();
     }
+}
+
+
+template<class CloudType>
+template<class Force>
+void Foam::SpinningCloud<CloudType>::changeGas
+(
+    Force& force,
+    typename parcelType::trackingData& td
+)
+{
+    typedef typename Force::state State;
+    const scalar dt = this->solution().trackTime();
+    const polyMesh& mesh = this->mesh();
+    const bool reduced = mesh.nSolutionD() != 3;
+    exchanges_.assign(mesh.nCells(), impact::jointExchange());
+    cellGas::field store;
+    for (parcelType& p : *this)
+    {
+        if (!p.active())
+        {
+            continue;
+        }
+        point at = p.position();
+        if (reduced)
+        {
+            meshTools::constrainToMeshCentre(mesh, at);
+        }
+        const impact::vector3 x(toCore(at));
+        force.parcel(p, td);
+        force.place(gas_->at(cells().locate(p.cell(), x), store), x);
+        State state;
+        state.x = impact::vector3{0, 0, 0};
+        state.v = toCore(p.U());
+        state.omega = toCore(p.omega());
+        if constexpr (impact::particleMotion::thermal<State>)
+        {
+            state.h = force.heat().material().h(p.temperature());
+        }
+        const impact::gasState& here = force.here();
+        const auto rate = force(state);
+        force.done();
+
+        const scalar W = p.nParticle()*p.mass();
+        const scalar beta = -std::expm1(-dt*rate.k);
+        impact::jointExchange& sum = exchanges_[p.cell()];
+        sum.addMotion(W, beta, state.v - here.u);
+        if constexpr (impact::particleMotion::thermal<State>)
+        {
+            // The velocity that heats by friction relaxes as well
+            const scalar T = p.temperature();
+            const scalar Cp = force.heat().material().cp(T);
+            const auto e = force.heat().with(here, state.v);
+            sum.addHeat
+            (
+                W*Cp,
+                -std::expm1(-dt*e.conductance/Cp),
+                T - here.T - sqr(1 - beta)*(e.Taw - here.T)
+            );
+        }
+    }
+    changes_.resize(mesh.nCells());
+    forAll(mesh.cells(), celli)
+    {
+        const scalar M = this->rho()[celli]*this->mesh().V()[celli];
+        changes_[celli] =
+            exchanges_[celli](M, heat_.valid() ? M*heat_->Cv() : 0);
+    }
+    gas_->change(this->U(), changes_);
 }
 
 
@@ -298,6 +440,7 @@ Foam::SpinningCloud<CloudType>::SpinningCloud
     rotation_(true),
     embedded_(nullptr),
     torque_(nullptr),
+    heat_(nullptr),
     gas_(nullptr),
     halfCurl_(nullptr),
     halfCurlInterp_(nullptr),
@@ -329,6 +472,7 @@ Foam::SpinningCloud<CloudType>::SpinningCloud
         {
             parcelType::readFields(*this);
             this->deleteLostParticles();
+            checkTemperatures();
         }
         setCollisions();
     }
@@ -352,6 +496,12 @@ Foam::SpinningCloud<CloudType>::SpinningCloud
     rotation_(c.rotation_),
     embedded_(nullptr),
     torque_(rotationalTorqueModel::New(c.subModelProperties())),
+    heat_
+    (
+        c.heat_.valid()
+      ? new heatTransfer(c.particleProperties(), c.mesh())
+      : nullptr
+    ),
     gas_(nullptr),
     halfCurl_(nullptr),
     halfCurlInterp_(nullptr),
@@ -399,6 +549,7 @@ Foam::SpinningCloud<CloudType>::SpinningCloud
     rotation_(c.rotation_),
     embedded_(nullptr),
     torque_(nullptr),
+    heat_(nullptr),
     gas_(nullptr),
     halfCurl_(nullptr),
     halfCurlInterp_(nullptr),
@@ -422,6 +573,21 @@ Foam::scalar Foam::SpinningCloud<CloudType>::rotationalEnergyOfSystem() const
 
 
 template<class CloudType>
+Foam::Pair<Foam::scalar>
+Foam::SpinningCloud<CloudType>::heatOfSystem() const
+{
+    Pair<scalar> sum(0, 0);
+    for (const parcelType& p : *this)
+    {
+        const scalar mass = p.nParticle()*p.mass();
+        sum.first() += mass*heat_->material().h(p.temperature());
+        sum.second() += mass*p.temperature();
+    }
+    return sum;
+}
+
+
+template<class CloudType>
 void Foam::SpinningCloud<CloudType>::setParcelThermoProperties
 (
     parcelType& parcel,
@@ -430,6 +596,7 @@ void Foam::SpinningCloud<CloudType>::setParcelThermoProperties
 {
     CloudType::setParcelThermoProperties(parcel, lagrangianDt);
     parcel.omega() = rotation_ ? this->constProps().omega0() : vector::zero;
+    parcel.temperature() = heat_.valid() ? heat_->T0() : 0;
 }
 
 
@@ -514,6 +681,27 @@ void Foam::SpinningCloud<CloudType>::motion
     typename parcelType::trackingData& td
 )
 {
+    inMotion_ = true;
+    if (embedded_.valid() && this->solution().coupled())
+    {
+        if (coreForce_.valid())
+        {
+            changeGas(coreForce_(), td);
+        }
+        else if (listedForce_.valid())
+        {
+            changeGas(listedForce_(), td);
+        }
+        else if (heatedCoreForce_.valid())
+        {
+            changeGas(heatedCoreForce_(), td);
+        }
+        else
+        {
+            changeGas(heatedListedForce_(), td);
+        }
+    }
+
     if (collisions_.valid())
     {
         collisions_->motion(td);
@@ -523,6 +711,7 @@ void Foam::SpinningCloud<CloudType>::motion
     {
         CloudType::motion(cloud, td);
     }
+    inMotion_ = false;
 }
 
 
@@ -577,6 +766,26 @@ void Foam::SpinningCloud<CloudType>::info()
                 << impact::rotationalTorque::ReMax << " (its fit) = "
                 << 100*sums[4]/sums[3] << " % of " << sums[3] << nl;
         }
+    }
+    if (heat_.valid())
+    {
+        FixedList<scalar, 4> heats;
+        heats[0] = statistics_.heat;
+        heats[1] = statistics_.radiated;
+        const Pair<scalar> now(heatOfSystem());
+        heats[2] = now.first();
+        heats[3] = now.second();
+        for (scalar& heat : heats)
+        {
+            reduce(heat, sumOp<scalar>());
+        }
+        const scalar mass =
+            returnReduce(this->massInSystem(), sumOp<scalar>());
+        Info<< "    Mean temperature                = "
+            << heats[3]/max(mass, VSMALL) << nl
+            << "    Enthalpy                        = " << heats[2] << nl
+            << "    Heat from the gas, radiated     = " << heats[0] << ", "
+            << heats[1] << nl;
     }
     if (collisions_.valid())
     {

@@ -44,6 +44,7 @@ Foam::SpinningParcel<ParcelType>::SpinningParcel
 :
     ParcelType(p),
     omega_(p.omega_),
+    T_(p.T_),
     nImpacts_(p.nImpacts_)
 {}
 
@@ -57,6 +58,7 @@ Foam::SpinningParcel<ParcelType>::SpinningParcel
 :
     ParcelType(p, mesh),
     omega_(p.omega_),
+    T_(p.T_),
     nImpacts_(p.nImpacts_)
 {}
 
@@ -72,6 +74,7 @@ void Foam::SpinningParcel<ParcelType>::giveToGas
     const vector& U0,
     const vector& omega0,
     const vector& impulse,
+    const scalar heat,
     const bool momentum
 ) const
 {
@@ -85,6 +88,7 @@ void Foam::SpinningParcel<ParcelType>::giveToGas
        *(
             (taken & 0.5*(U0 + this->U_))
           + momentOfInertia()*((omega_ - omega0) & 0.5*(omega0 + omega_))
+          + heat
         );
 
     if (momentum)
@@ -93,6 +97,43 @@ void Foam::SpinningParcel<ParcelType>::giveToGas
         const polyMesh& mesh = cloud.pMesh();
         meshTools::constrainDirection(mesh, mesh.solutionD(), dUTrans);
         cloud.UTrans()[celli] += n*dUTrans;
+    }
+}
+
+
+template<class ParcelType>
+template<class TrackCloudType>
+Foam::scalar Foam::SpinningParcel<ParcelType>::takeHeat
+(
+    TrackCloudType& cloud,
+    const impact::sphereHeat& sphere,
+    const scalar T0,
+    const scalar k,
+    const scalar t
+) const
+{
+    const impact::specificHeat& material = sphere.material();
+    const scalar mass = this->mass();
+    const scalar radiated = mass*sphere.radiated(T0, T_, k, t);
+    const scalar taken =
+        mass*(material.h(T_) - material.h(T0)) + radiated;
+    cloud.gainHeat(this->nParticle_*taken, this->nParticle_*radiated);
+    return taken;
+}
+
+
+template<class ParcelType>
+template<class TrackCloudType>
+void Foam::SpinningParcel<ParcelType>::warm
+(
+    TrackCloudType& cloud,
+    const scalar heat
+)
+{
+    if (heat != 0 && cloud.heated())
+    {
+        const impact::specificHeat& material = cloud.heat().material();
+        T_ = material.T(material.h(T_) + heat/this->mass());
     }
 }
 
@@ -128,7 +169,7 @@ void Foam::SpinningParcel<ParcelType>::calc
 )
 {
     const bool coupled = cloud.solution().coupled();
-    if (!td.rotation() && !coupled)
+    if (!td.rotation() && !coupled && !td.heated())
     {
         ParcelType::calc(cloud, td, dt);
         return;
@@ -180,10 +221,33 @@ void Foam::SpinningParcel<ParcelType>::calc
             cloud.torque().outside(this->d_, td.rhoc(), td.muc(), magW);
     }
 
+    scalar heat = 0;
+    if (td.heated())
+    {
+        impact::sphereHeat sphere(cloud.heat().sphere());
+        sphere.sphere(this->d_, this->rho_);
+        const impact::gasState gas
+        {
+            toCore(td.Uc()), toCore(td.halfCurl()), td.rhoc(), td.muc(),
+            cloud.heat().thermo().T()[this->cell()]
+        };
+        const scalar T0 = T_;
+        const scalar h0 = sphere.material().h(T0);
+        impact::thermalRate rate;
+        sphere(gas, toCore(this->U_), T0, h0, rate);
+        T_ = sphere.material().T
+        (
+            rate.kHeat*dt > 1e-12
+          ? h0 - std::expm1(-rate.kHeat*dt)*rate.hDot/rate.kHeat
+          : h0 + dt*rate.hDot
+        );
+        heat = takeHeat(cloud, sphere, T0, rate.kHeat, dt);
+    }
+
     if (coupled)
     {
         // The stock parcel has given the momentum already
-        giveToGas(cloud, massEff, U0, omega0, impulse, false);
+        giveToGas(cloud, massEff, U0, omega0, impulse, heat, false);
     }
 }
 

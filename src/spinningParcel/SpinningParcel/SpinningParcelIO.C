@@ -22,24 +22,27 @@ Foam::SpinningParcel<ParcelType>::SpinningParcel
 :
     ParcelType(mesh, is, readFields, newFormat),
     omega_(Zero),
+    T_(0),
     nImpacts_(0)
 {
     if (readFields)
     {
         if (is.format() == IOstream::ASCII)
         {
-            is >> omega_ >> nImpacts_;
+            is >> omega_ >> T_ >> nImpacts_;
         }
         else if (!is.checkLabelSize<>() || !is.checkScalarSize<>())
         {
             is.beginRawRead();
             readRawScalar(is, omega_.data(), vector::nComponents);
+            readRawScalar(is, &T_);
             readRawLabel(is, &nImpacts_);
             is.endRawRead();
         }
         else
         {
             is.read(reinterpret_cast<char*>(omega_.data()), sizeof(omega_));
+            is.read(reinterpret_cast<char*>(&T_), sizeof(T_));
             is.read(reinterpret_cast<char*>(&nImpacts_), sizeof(nImpacts_));
         }
     }
@@ -76,6 +79,22 @@ void Foam::SpinningParcel<ParcelType>::readFields(CloudType& c)
         p.nImpacts_ = nImpacts[i];
         i++;
     }
+
+    // Written by clouds with heat transfer
+    IOField<scalar> T
+    (
+        c.fieldIOobject("T", IOobject::READ_IF_PRESENT),
+        valid
+    );
+    if (T.size())
+    {
+        c.checkFieldIOobject(c, T);
+        i = 0;
+        for (SpinningParcel<ParcelType>& p : c)
+        {
+            p.T_ = T[i++];
+        }
+    }
 }
 
 
@@ -101,6 +120,17 @@ void Foam::SpinningParcel<ParcelType>::writeFields(const CloudType& c)
     }
     omega.write(n > 0);
     nImpacts.write(n > 0);
+
+    if (hasTemperatures(c))
+    {
+        IOField<scalar> T(c.fieldIOobject("T", IOobject::NO_READ), n);
+        i = 0;
+        for (const SpinningParcel<ParcelType>& p : c)
+        {
+            T[i++] = p.T_;
+        }
+        T.write(n > 0);
+    }
 }
 
 
@@ -115,6 +145,7 @@ void Foam::SpinningParcel<ParcelType>::writeProperties
 {
     ParcelType::writeProperties(os, filters, delim, namesOnly);
     ParcelType::writeProperty(os, "omega", omega_, namesOnly, delim, filters);
+    ParcelType::writeProperty(os, "T", T_, namesOnly, delim, filters);
     ParcelType::writeProperty
     (
         os, "nImpacts", nImpacts_, namesOnly, delim, filters
@@ -145,6 +176,14 @@ void Foam::SpinningParcel<ParcelType>::readObjects
         p.nImpacts_ = nImpacts[i];
         i++;
     }
+    if (const auto* T = obr.findObject<IOField<scalar>>("T"))
+    {
+        i = 0;
+        for (SpinningParcel<ParcelType>& p : c)
+        {
+            p.T_ = (*T)[i++];
+        }
+    }
 }
 
 
@@ -167,6 +206,15 @@ void Foam::SpinningParcel<ParcelType>::writeObjects
         nImpacts[i] = p.nImpacts_;
         i++;
     }
+    if (hasTemperatures(c))
+    {
+        auto& T = cloud::createIOField<scalar>("T", c.size(), obr);
+        i = 0;
+        for (const SpinningParcel<ParcelType>& p : c)
+        {
+            T[i++] = p.T_;
+        }
+    }
 }
 
 
@@ -181,6 +229,7 @@ Foam::Ostream& Foam::operator<<
     if (os.format() == IOstream::ASCII)
     {
         os  << token::SPACE << p.omega_
+            << token::SPACE << p.T_
             << token::SPACE << p.nImpacts_;
     }
     else
@@ -190,6 +239,7 @@ Foam::Ostream& Foam::operator<<
             reinterpret_cast<const char*>(p.omega_.cdata()),
             sizeof(p.omega_)
         );
+        os.write(reinterpret_cast<const char*>(&p.T_), sizeof(p.T_));
         os.write
         (
             reinterpret_cast<const char*>(&p.nImpacts_),

@@ -35,18 +35,18 @@ void Foam::SpinningParcel<ParcelType>::place::restore(particle& p) const
 
 
 template<class ParcelType>
-template<class Force>
+template<class Force, class State>
 Foam::scalar Foam::SpinningParcel<ParcelType>::partOfStep
 (
     const Force& force,
     const impact::particleMotion& motion,
-    const impact::motionState& state,
-    const impact::particleMotion::outcome& o,
+    const State& state,
+    const impact::particleMotion::result<State>& o,
     const scalar tau,
     label& left,
     bool& forced,
     scalar& hTry,
-    impact::motionState& end
+    State& end
 )
 {
     // A parabola through both ends where that is accurate, another step where
@@ -67,11 +67,19 @@ Foam::scalar Foam::SpinningParcel<ParcelType>::partOfStep
             const scalar magA = impact::mag(a);
             return magD < magA ? magD*magD/magA : magD;
         };
-    if
-    (
+    bool accurate =
         cubic*size(dU, a0) <= o.vScale
-     && cubic*size(dOmega, alpha0) <= o.spinScale
-    )
+     && cubic*size(dOmega, alpha0) <= o.spinScale;
+    if constexpr (impact::particleMotion::thermal<State>)
+    {
+        const scalar h0 = o.h*o.hDot;
+        const scalar dh = o.state.h - state.h - h0;
+        end.h = state.h + tau*h0 + sqr(tau)*dh;
+        const scalar most =
+            mag(dh) < mag(h0) ? sqr(dh)/mag(h0) : mag(dh);
+        accurate = accurate && cubic*most <= o.hScale;
+    }
+    if (accurate)
     {
         return t;
     }
@@ -167,12 +175,17 @@ bool Foam::SpinningParcel<ParcelType>::moveEmbedded
         const impact::vector3 start = x;
         const vector U0 = p.U();
         const vector omega0 = omega_;
-        const impact::motionState state
+        typedef typename std::remove_reference_t<Force>::state State;
+        constexpr bool heated = impact::particleMotion::thermal<State>;
+        const scalar T0 = T_;
+        State state;
+        state.x = impact::vector3{0, 0, 0};
+        state.v = toCore(U0);
+        state.omega = toCore(omega0);
+        if constexpr (heated)
         {
-            {0, 0, 0},
-            toCore(U0),
-            toCore(omega0)
-        };
+            state.h = force.heat().material().h(T0);
+        }
 
         if (Force::places)
         {
@@ -220,7 +233,8 @@ bool Foam::SpinningParcel<ParcelType>::moveEmbedded
         label place = -1;
         const scalar tau = path.exit(cells, celli, 0, 1, place);
         scalar t = tau*o.h;
-        impact::motionState end{path(tau), o.state.v, o.state.omega};
+        State end = o.state;
+        end.x = path(tau);
         if (tau < 1)
         {
             const label before = left;
@@ -241,6 +255,11 @@ bool Foam::SpinningParcel<ParcelType>::moveEmbedded
         x = x + end.x;
         impact::vector3 U1 = end.v;
         impact::vector3 omega1 = end.omega;
+        [[maybe_unused]] scalar h1 = 0;
+        if constexpr (heated)
+        {
+            h1 = end.h;
+        }
         if (place >= 0)
         {
             // Onto the face: a step taken anew ends before or behind it by the
@@ -257,6 +276,10 @@ bool Foam::SpinningParcel<ParcelType>::moveEmbedded
                     U1 - share*(2*(U1 - state.v) - t*o.a);
                 omega1 =
                     omega1 - share*(2*(omega1 - state.omega) - t*o.alpha);
+                if constexpr (heated)
+                {
+                    h1 -= share*(2*(h1 - state.h) - t*o.hDot);
+                }
                 t -= late;
             }
         }
@@ -270,12 +293,18 @@ bool Foam::SpinningParcel<ParcelType>::moveEmbedded
         }
         omega_ = fromCore(omega1);
         const scalar mass = p.mass();
+        scalar heat = 0;
+        if constexpr (heated)
+        {
+            T_ = force.heat().material().T(h1);
+            heat = takeHeat(cloud, force.heat(), T0, o.kHeat, t);
+        }
         if (coupled)
         {
             giveToGas
             (
                 cloud, force.massEff(mass), U0, omega0,
-                t*force.external(mass, p.rho()), true
+                t*force.external(mass, p.rho()), heat, true
             );
         }
         ++statistics.nSteps;
@@ -309,22 +338,34 @@ bool Foam::SpinningParcel<ParcelType>::moveEmbedded
             force.place(gas.at(celli, store), x);
             const vector U2 = p.U();
             const vector omega2 = omega_;
-            const impact::motionRate rate = force
-            (
-                impact::motionState{{0, 0, 0}, toCore(U2), toCore(omega2)}
-            );
+            [[maybe_unused]] const scalar T2 = T_;
+            State rest = state;
+            rest.v = toCore(U2);
+            rest.omega = toCore(omega2);
+            if constexpr (heated)
+            {
+                rest.h = force.heat().material().h(T2);
+            }
+            const auto rate = force(rest);
             force.done();
             --left;
             ++statistics.nForces;
             const scalar acting = pause/(1 + pause*rate.k);
             p.U() += acting*fromCore(rate.a);
             omega_ += pause/(1 + pause*rate.kSpin)*fromCore(rate.alpha);
+            heat = 0;
+            if constexpr (heated)
+            {
+                const scalar during = pause/(1 + pause*rate.kHeat);
+                T_ = force.heat().material().T(rest.h + during*rate.hDot);
+                heat = takeHeat(cloud, force.heat(), T2, rate.kHeat, pause);
+            }
             if (coupled)
             {
                 giveToGas
                 (
                     cloud, force.massEff(mass), U2, omega2,
-                    acting*force.external(mass, p.rho()), true
+                    acting*force.external(mass, p.rho()), heat, true
                 );
             }
             p.stepFraction() =
@@ -409,9 +450,22 @@ bool Foam::SpinningParcel<ParcelType>::move
     {
         return ParcelType::move(cloud, td, trackTime);
     }
-    if (cloud.coreForce())
+    if (cloud.solution().coupled() && !cloud.inMotion())
     {
-        return moveEmbedded(cloud, td, trackTime, *cloud.coreForce());
+        // The gas is that of the exchange only in the step of all parcels
+        return true;
     }
-    return moveEmbedded(cloud, td, trackTime, *cloud.listedForce());
+    if (auto* force = cloud.coreForce())
+    {
+        return moveEmbedded(cloud, td, trackTime, *force);
+    }
+    if (auto* force = cloud.listedForce())
+    {
+        return moveEmbedded(cloud, td, trackTime, *force);
+    }
+    if (auto* force = cloud.heatedCoreForce())
+    {
+        return moveEmbedded(cloud, td, trackTime, *force);
+    }
+    return moveEmbedded(cloud, td, trackTime, *cloud.heatedListedForce());
 }

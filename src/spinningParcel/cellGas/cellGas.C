@@ -351,6 +351,13 @@ void Foam::cellGas::tetrahedronField(const tetrahedron& tet, field& f) const
             f.least[k] = std::min(f.least[k], v[6 + k]);
         }
     }
+    if (changes_.size())
+    {
+        const impact::jointExchange::change& c = changes_[tet.cell];
+        f.value.u = f.value.u + c.u;
+        f.value.T += c.T;
+        f.least[2] = std::min(f.least[2], f.value.T);
+    }
     for (int k = 0; k < 3; ++k)
     {
         f.least[k] *= 0.5;
@@ -510,6 +517,7 @@ void Foam::cellGas::update
         return;
     }
     events_ = events;
+    changes_.clear();
 
     impact::gasState none{};
     none.T = 1;
@@ -584,6 +592,46 @@ void Foam::cellGas::update
             {
                 tets_[k].wall = walls.find(facei, i);
             }
+        }
+    }
+}
+
+
+void Foam::cellGas::change
+(
+    const volVectorField& U,
+    const std::vector<impact::jointExchange::change>& by
+)
+{
+    events_ = -2;
+    if (tets_.empty())
+    {
+        for (label celli = 0; celli < mesh_.nCells(); ++celli)
+        {
+            field& f = cells_[celli];
+            f.value.u = f.value.u + by[celli].u;
+            f.value.T += by[celli].T;
+            f.least[2] = std::min(f.least[2], 0.5*f.value.T);
+        }
+        bindWalls(U);
+        return;
+    }
+
+    // Between point values that stay a change is the same all over the cell:
+    // at a wall it can only be along it
+    changes_ = by;
+    const boolList bound(wallGasVelocity::boundPatches(U));
+    forAll(bound, patchi)
+    {
+        const polyPatch& patch = mesh_.boundaryMesh()[patchi];
+        for (label i = 0; bound[patchi] && i < patch.size(); ++i)
+        {
+            const impact::vector3 n
+            (
+                toCore(normalised(patch.faceAreas()[i]))
+            );
+            impact::vector3& u = changes_[patch.faceCells()[i]].u;
+            u = u - impact::dot(u, n)*n;
         }
     }
 }

@@ -50,6 +50,7 @@ void Foam::EventDrivenCollisions<CloudType>::collide
         mission m = next(c, resting ? REST : PLAN, resting, t, pull);
         m.U = then.U;
         m.omega = then.omega;
+        m.heat = then.heat;
         m.setU = true;
         fly(c, m);
         adoptPlan(c, m);
@@ -91,6 +92,7 @@ void Foam::EventDrivenCollisions<CloudType>::collide
             report_.restitutionLoss += out.restitutionLoss;
             report_.frictionLoss += out.frictionLoss;
         }
+        aThen.heat = bThen.heat = 0.5*(out.restitutionLoss + out.frictionLoss);
         aThen.U = fromCore(out.v1);
         bThen.U = fromCore(out.v2);
         if (law_.spin())

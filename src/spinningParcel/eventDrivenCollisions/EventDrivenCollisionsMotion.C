@@ -16,6 +16,8 @@ bool Foam::EventDrivenCollisions<CloudType>::proceed(flight& f, mission& m)
         {
             f.parcel->omega() = m.omega;
         }
+        f.parcel->warm(cloud_, m.heat);
+        m.heat = 0;
         m.setU = false;
     }
     switch (m.kind)
