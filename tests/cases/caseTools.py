@@ -222,6 +222,18 @@ def read_field(path):
     return values.reshape(n, 3) if vector else values
 
 
+def binary_list(path, width):
+    """Numbers of a binary list, one row of the width per entry."""
+    with open(path, "rb") as file:
+        data = file.read()
+    head = re.search(rb"\n(\d+)\s*\(", data)
+    if head is None:
+        return np.empty((0, width))
+    kind = np.int32 if b"labelField" in data[:900] else np.float64
+    return np.frombuffer(data, kind, int(head.group(1))*width,
+                         head.end()).reshape(-1, width)
+
+
 def times_of(case):
     names = [d for d in os.listdir(case)
              if re.fullmatch(r"[0-9][0-9.e+-]*", d)]

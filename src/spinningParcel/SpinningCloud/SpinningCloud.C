@@ -394,11 +394,13 @@ void Foam::SpinningCloud<CloudType>::changeGas
             const scalar T = p.temperature();
             const scalar Cp = force.heat().material().cp(T);
             const auto e = force.heat().with(here, state.v);
+            const scalar relaxed = -std::expm1(-dt*e.conductance/Cp);
             sum.addHeat
             (
                 W*Cp,
-                -std::expm1(-dt*e.conductance/Cp),
-                T - here.T - sqr(1 - beta)*(e.Taw - here.T)
+                relaxed,
+                T - here.T - sqr(1 - beta)*(e.Taw - here.T),
+                W*force.heat().radiated(T)*(dt - relaxed*Cp/e.conductance)
             );
         }
     }

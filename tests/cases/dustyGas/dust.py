@@ -1,13 +1,17 @@
 # parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Cases of a gas with grains that exchange momentum and heat with it."""
 
+import os
+import re
+
 import numpy as np
 
-from caseTools import write_block, write_case, write_field, write_foam, must
+from caseTools import (GAMMA, R_GAS, binary_list, last_fields, must,
+                       times_of, write_block, write_case,
+                       write_field, write_foam)
 from caseTools import box as corners
 
-from caseTools import MOL_WEIGHT, R_GAS, GAMMA
-CV = R_GAS/(GAMMA - 1)
+CP = GAMMA*R_GAS/(GAMMA - 1)
 RHO_P = 2500.
 CP_P = 800.
 
@@ -52,8 +56,10 @@ cloudFunctions {}
 def sealed(case, loading, d, steps, dt, u=(300, 0, 0), v=(0, 0, 0), T=500.,
            T_dust=300., p=1e5, cells=2, per_cell=1, material="",
            drag="sphereDrag;", heat="ranzMarshall", tolerance=1e-9,
-           mode=None, change=lambda cloud: cloud):
-    """Gas and grains in a box without ends, all cells alike."""
+           mode=None,
+           scatter=0., number=None, change=lambda cloud: cloud):
+    """Gas and grains in a box without ends, all cells alike. scatter: half of
+    the grains, in a group of their own, are that much faster [m/s]."""
     L = 1e-3
     write_case(case, {"endTime": steps*dt, "deltaT": dt,
                       "writeInterval": steps*dt, "libs": "(spinningParcel)",
@@ -70,7 +76,7 @@ def sealed(case, loading, d, steps, dt, u=(300, 0, 0), v=(0, 0, 0), T=500.,
     write_field(case, "T", T, fixed)
     write_field(case, "U", u, fixed)
     mass = p/(R_GAS*T)*L**3
-    number = loading*mass/per_cell/(RHO_P*np.pi/6*d**3)
+    number = number or loading*mass/per_cell/(RHO_P*np.pi/6*d**3)
     inner = [(np.array([i + (k + 0.5)/per_cell, j + 0.5, 0.5]))*L
              for i in range(cells) for j in range(cells)
              for k in range(per_cell)]
@@ -85,14 +91,118 @@ def sealed(case, loading, d, steps, dt, u=(300, 0, 0), v=(0, 0, 0), T=500.,
                         ("NUMBER", repr(number)), ("DIAMETER", repr(d)),
                         ("V_DUST", "%r %r %r" % tuple(v))):
         cloud = cloud.replace(word, value)
+    if scatter:
+        a, b = cloud.index("        grains"), cloud.index("    patchInter")
+        group = cloud[a:b].rstrip().rstrip("}").rstrip()
+        faster = group.replace("grains", "faster").replace(
+            "U0 (%r" % v[0], "U0 (%r" % (v[0] + scatter)).replace(
+                '"positions"', '"positionsFaster"')
+        cloud = cloud[:a] + group + "\n" + faster + "\n    }\n" + cloud[b:]
+        write_foam(case, "constant/positionsFaster", "(\n" + "\n".join(
+            "(%.17g %.17g %.17g)" % tuple(x + np.array([0.4*L/per_cell, 0, 0]))
+            for x in inner) + "\n)", "vectorField")
     write_foam(case, "constant/sandProperties", change(cloud))
     return mass
 
 
-def common(loading, u, v, T, T_dust, c=CP_P):
-    """Velocity and temperature of both in the end."""
-    u, v = np.asarray(u, float), np.asarray(v, float)
-    w = (u + loading*v)/(1 + loading)
-    energy = (CV*T + 0.5*u @ u + loading*(c*T_dust + 0.5*v @ v)
-              - 0.5*(1 + loading)*w @ w)
-    return w, energy/(CV + loading*c)
+def state(case, time=None):
+    """Density, pressure, temperature and velocity of the gas of a box in which
+    all cells are alike."""
+    means = []
+    for name, q in zip(("rho", "p", "T", "U"),
+                       last_fields(case, "rho p T U", time)):
+        rows = np.asarray(q).reshape(-1, 3 if name == "U" else 1)
+        if np.ptp(rows, axis=0).max() > 1e-9*np.abs(rows).max():
+            raise RuntimeError(f"{case}: {name} is not uniform")
+        means.append(np.squeeze(rows.mean(axis=0)))
+    return means
+
+
+def read_dust(case, time):
+    """x, velocity along x and temperature of the grains."""
+    folder = os.path.join(case, time, "lagrangian", "sand")
+    with open(os.path.join(folder, "positions"), "rb") as file:
+        data = file.read()
+    head = re.search(rb"\n\}\n.*?\n(\d+)\s*\(", data, re.S)
+    rows = np.frombuffer(data, np.dtype([
+        ("open", "S1"), ("x", "3f8"), ("cell", "i4"), ("close", "S2")]),
+        int(head.group(1)), head.end() + 1)
+    return rows["x"][:, 0], binary_list(os.path.join(folder, "U"), 3)[:, 0], \
+        binary_list(os.path.join(folder, "T"), 1)[:, 0]
+
+
+def dust_energy(case, time=None, parts=False, enthalpy=lambda T: CP_P*T):
+    """Of the grains' motion, spin and heat [J], all ranks together."""
+    time = time or times_of(case)[-1]
+    folder = os.path.join(case, time, "lagrangian", "sand")
+
+    def read(name, width=1):
+        rows = binary_list(os.path.join(folder, name), width)
+        return rows[:, 0] if width == 1 else rows
+    d = read("d")
+    mass = read("nParticle")*read("rho")*np.pi/6*d**3
+    each = (0.5*np.sum(mass[:, None]*read("U", 3)**2),
+            0.05*np.sum((mass*d**2)[:, None]*read("omega", 3)**2),
+            np.sum(mass*enthalpy(read("T"))))
+    return each if parts else sum(each)
+
+
+def viscosity(T):
+    """Of the gas of write_case [Pa s]."""
+    return 1.458e-6*np.sqrt(T)/(1 + 110.4/T)
+
+
+def prandtl(R):
+    """Of Sutherland's viscosity with Eucken's conductivity, as OpenFOAM has
+    it."""
+    Cv = CP - R
+    return CP/Cv/(1.32 + 1.77*R/Cv)
+
+
+def relaxation(d, speed, rho, T, R):
+    """Rates of velocity and temperature [1/s] by sphereDrag and ranzMarshall,
+    and what the temperature of a grain without heat has more than T [K]."""
+    mu = viscosity(T)
+    Pr = prandtl(R)
+    Re = rho*speed*d/mu
+    CdRe = 24*(1 + Re**(2/3)/6) if Re < 1000 else 0.424*Re
+    Nu = 2 + 0.6*np.sqrt(Re)*Pr**(1/3)
+    return (0.75*mu*CdRe/(RHO_P*d**2), 6*Nu*CP*mu/Pr/(RHO_P*d**2*CP_P),
+            np.sqrt(Pr)*speed**2/(2*CP))
+
+
+def exchange(loading, d, end, u, v, T, T_dust, R, rho, emissivity=0.,
+             T_around=0.):
+    """u and T of gas, v and T of grains in a box after a time, by their
+    differential equations."""
+    cv = CP - R
+    u, v = np.array(u, float), np.array(v, float)
+    y = np.concatenate([v, [T_dust]])
+    P = u + loading*v
+    radiated = 0.
+    E = cv*T + 0.5*u @ u + loading*(CP_P*T_dust + 0.5*v @ v)
+
+    def gas(y, radiated):
+        w = P - loading*y[:3]
+        return w, (E - radiated - 0.5*w @ w - loading*(
+            CP_P*y[3] + 0.5*y[:3] @ y[:3]))/cv
+
+    def rates(z):
+        y, lost = z[:4], z[4]
+        w, Tg = gas(y, lost)
+        k, heat, more = relaxation(d, np.linalg.norm(w - y[:3]), rho, Tg, R)
+        light = 6*emissivity*5.670374419e-8/(RHO_P*d)*(
+            y[3]**4 - T_around**4)
+        return np.concatenate([k*(w - y[:3]),
+                               [heat*(Tg + more - y[3]) - light/CP_P,
+                                loading*light]])
+    z = np.concatenate([y, [radiated]])
+    n = 4000
+    h = end/n
+    for _ in range(n):
+        k1 = rates(z)
+        k2 = rates(z + h/2*k1)
+        k3 = rates(z + h/2*k2)
+        k4 = rates(z + h*k3)
+        z = z + h/6*(k1 + 2*k2 + 2*k3 + k4)
+    return (*gas(z[:4], z[4]), z[:3], z[3])

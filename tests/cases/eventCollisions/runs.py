@@ -8,9 +8,9 @@ import re
 
 import numpy as np
 
-from caseTools import (box, complaint, copy_case, decompose, edit, must,
-                       read_field, run, solve, times_of, verdict, write_block, write_case, write_field,
-                       write_foam)
+from caseTools import (binary_list, box, complaint, copy_case, decompose, edit,
+                       must, run, solve, times_of, verdict, write_block,
+                       write_case, write_field, write_foam)
 
 N = (24, 12, 1)
 LENGTH = (2.4e-3, 1.2e-3, 1e-4)
@@ -129,17 +129,6 @@ for motion in ("stock", "embeddedRK54"):
             "omega" in names and not other,
             f"{len(names)} files, different: {other}")
 
-
-
-def binary_list(path, width):
-    with open(path, "rb") as file:
-        data = file.read()
-    head = re.search(rb"\n(\d+)\s*\(", data)
-    if head is None:
-        return np.empty((0, width))
-    kind = np.int32 if b"labelField" in data[:900] else np.float64
-    return np.frombuffer(data, kind, int(head.group(1))*width,
-                         head.end()).reshape(-1, width)
 
 
 def states(case, time):

@@ -8,7 +8,7 @@ import re
 
 import numpy as np
 
-from caseTools import (box, complaint, copy_case, decompose, edit,
+from caseTools import (binary_list, box, complaint, copy_case, decompose, edit,
                        last_fields, must, run, solve, verdict, write_block,
                        write_case, write_field, write_foam)
 
@@ -79,15 +79,6 @@ def make(case, motion):
                CLOUD.replace("MOTION", MOTIONS[motion]).replace(
                    "SCHEME", "cellLinear" if motion == "linear"
                    else "cellPoint"))
-
-
-def binary_list(path, width):
-    with open(path, "rb") as file:
-        data = file.read()
-    head = re.search(rb"\n(\d+)\s*\(", data)
-    n = int(head.group(1))
-    kind = np.int32 if b"labelField" in data[:900] else np.float64
-    return np.frombuffer(data, kind, n*width, head.end()).reshape(n, width)
 
 
 def state(case, time):

@@ -1,0 +1,255 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
+"""Grains that exchange momentum and heat with a gas in a box without ends:
+the common state, order in time, account of energies, radiation, melting,
+collisions, restart, ranks, bad input. Stands in a temporary folder."""
+
+import filecmp
+import os
+import re
+
+import numpy as np
+
+from caseTools import (complaint, copy_case, decompose, edit,
+                       last_fields, must, run, solve, times_of, verdict,
+                       write_foam)
+from dust import CP, CP_P, dust_energy, exchange, sealed, state
+
+U0, T0, TD = (300., 20., 0.), 500., 300.
+VOLUME = 4e-9
+
+
+def gas_energy(case, time=None):
+    rho, u, p, T = last_fields(case, "rho U p T", time)
+    return VOLUME/len(rho)*np.sum(rho*(CP - p/(rho*T))*T
+                                  + 0.5*rho*np.sum(u**2, axis=1))
+
+
+def common(case, loading, v=(0, 0, 0), enthalpy=None):
+    """Velocity and temperature of both in the end, with the solver's own
+    gas constant; enthalpy of the grains as a function of T."""
+    rho, p, T, _ = state(case)
+    R = p/(rho*T)
+    cv = CP - R
+    start = 1e5/(R*T0)
+    loading = loading*DENSITY/start
+    enthalpy = enthalpy or (lambda T: CP_P*T)
+    u, v = np.asarray(U0), np.asarray(v, float)
+    w = (u + loading*v)/(1 + loading)
+    have = (cv*T0 + 0.5*u @ u + loading*(enthalpy(TD) + 0.5*v @ v)
+            - 0.5*(1 + loading)*w @ w)
+    low, high = 1., 1e4
+    for _ in range(200):
+        mid = 0.5*(low + high)
+        more = cv*mid + loading*enthalpy(mid) > have
+        low, high = (low, mid) if more else (mid, high)
+    return w, low
+
+
+DENSITY = 1e5/(287.05*T0)
+
+# The common state, whatever the loading, the grains and the step
+for name, loading, d, steps, dt in (
+        ("stiff", 10, 1e-7, 8, 1e-5), ("equal", 1, 1e-6, 40, 1e-5),
+        ("slow", 0.3, 1e-5, 40, 1e-3), ("little", 0.01, 3e-7, 20, 2e-5),
+        ("much", 100, 1e-7, 12, 1e-5)):
+    sealed(name, loading, d, steps, dt, u=U0, T=T0, T_dust=TD)
+    solve(name)
+    w, T = common(name, loading)
+    _, _, found, u = state(name)
+    off = np.abs(u - w).max()/np.linalg.norm(w), abs(found/T - 1)
+    verdict("sealed_" + name, max(off) < 1e-10,
+            "loading %g, %g um, %g s: velocity off by %.1e, temperature by "
+            "%.1e" % (loading, 1e6*d, dt, *off))
+
+# One step of a stiff exchange is the end of it
+sealed("one", 10, 1e-7, 1, 1e-5, u=U0, T=T0, T_dust=TD)
+solve("one")
+w, T = common("one", 10)
+_, _, found, u = state("one")
+off = np.abs(u - w).max()/np.linalg.norm(w), abs(found/T - 1)
+verdict("one_step", off[0] < 1e-10 and off[1] < 1e-3,
+        "130 relaxation times in a step: velocity off by %.1e, temperature "
+        "by %.1e" % off)
+
+# Order in time against the differential equations
+for name, loading, d, end in (("order", 1, 1e-5, 4e-4),
+                              ("orderHeavy", 5, 3e-6, 6e-5)):
+    errors = []
+    for n in (2, 4, 8, 16):
+        case = f"{name}{n}"
+        sealed(case, loading, d, n, end/n, u=U0, T=T0, T_dust=TD)
+        solve(case)
+        rho, p, T, u = state(case)
+        exact = exchange(loading*DENSITY/rho, d, end, U0, (0, 0, 0), T0, TD,
+                         p/(rho*T), rho)
+        errors.append((np.abs(u - exact[0]).max()/300,
+                       abs(T - exact[1])/200))
+        must(".", "rm", "-rf", case)
+    orders = np.log2(np.array(errors[:-1])/np.array(errors[1:]))
+    verdict(name + "_in_time",
+            np.all(orders[1:] > 0.8) and max(errors[-1]) < 5e-3,
+            "errors of u and T with 2 to 16 steps: " + ", ".join(
+                "%.1e %.1e" % e for e in errors)
+            + "; orders " + ", ".join("%.2f %.2f" % tuple(o) for o in orders))
+
+# Radiation leaves the box, and no more than the log says
+material = "epsilon0 0.7; TSurroundings 400;"
+sealed("radiating", 1, 1e-5, 200, 2.5e-4, u=U0, T=T0, T_dust=2500.,
+       material=material)
+edit("radiating", "system/controlDict", "writeInterval 0.05",
+     "writeInterval 0.0025")
+log = solve("radiating")
+times = times_of("radiating")
+lost = [float(w) for w in re.findall(r"gas, radiated += \S+, (\S+)", log)]
+first, last = (gas_energy("radiating", t) + dust_energy("radiating", t)
+               for t in (times[1], times[-1]))
+gone = lost[-1] - lost[0]
+verdict("radiation_is_accounted",
+        # (1e-14 for the root of 1e5 steps of the gas)
+        abs(first - last - gone) < 4e-12*first and gone > 0.05*first,
+        "energy %.9g to %.9g J, radiated %.9g J, off by %.1e" % (
+            first, last, gone, first - last - gone))
+rho, p, T, u = state("radiating")
+exact = exchange(DENSITY/rho, 1e-5, 0.05, U0, (0, 0, 0), T0, 2500.,
+                 p/(rho*T), rho, 0.7, 400.)
+verdict("radiation_temperature", abs(T/exact[1] - 1) < 1e-3,
+        "%.3f K, by the differential equations %.3f K" % (T, exact[1]))
+
+# Grains that melt: a common state within the range of melting and above it
+for name, TG, latent in (("melts", 1500., 5e5), ("melted", 1500., 5e4)):
+    T0 = TG
+    DENSITY = 1e5/(287.05*T0)
+    sealed(name, 1, 1e-6, 60, 1e-4, u=U0, T=T0, T_dust=TD,
+           change=lambda c: c.replace(
+               "Cp0 800;", "Cp0 (700 0.3); melting { solidus 600; liquidus"
+               f" 610; latentHeat {latent}; }}"))
+    solve(name)
+
+    def enthalpy(T):
+        return 700*T + 0.15*T*T + latent*min(max((T - 600)/10, 0), 1)
+    w, T = common(name, 1, enthalpy=enthalpy)
+    _, _, found, u = state(name)
+    off = np.abs(u - w).max()/np.linalg.norm(w), abs(found/T - 1)
+    verdict(name, max(off) < 1e-9 and (600 < T < 610) == (name == "melts"),
+            "common temperature %.3f K; off by %.1e, %.1e" % (T, *off))
+T0 = 500.
+DENSITY = 1e5/(287.05*T0)
+
+# Two kinds of grains, each relaxed in a gas that the other has not changed
+# yet, would take from it more than there is
+sealed("two", 3, 1e-7, 60, 1e-5, u=U0, T=T0, T_dust=TD)
+write_foam("two", "constant/parcelClouds", "clouds (sand ash);")
+with open("two/constant/sandProperties") as file:
+    text = file.read()
+with open("two/constant/ashProperties", "w") as file:
+    file.write(text.replace("sandProperties", "ashProperties"))
+solve("two")
+w, T = common("two", 6)
+_, _, found, u = state("two")
+off = np.abs(u - w).max()/np.linalg.norm(w), abs(found/T - 1)
+verdict("two_clouds", max(off) < 1e-10, "off by %.1e, %.1e" % off)
+
+
+# What collisions and walls of the box lose heats the grains
+def colliding(cloud):
+    return cloud.replace(
+        "rotation off;", "rotation on; collisions { type eventDriven;"
+        " restitution 0.6; friction 0.3; }")
+
+
+sealed("colliding", 1, 3e-5, 40, 1e-5, u=U0, T=T0, T_dust=TD, per_cell=8,
+       scatter=20., number=1e-3/3e-5, change=colliding)
+edit("colliding", "system/controlDict", "writeInterval 0.0004",
+     "writeInterval 2e-05")
+log = solve("colliding")
+times = [t for t in times_of("colliding") if float(t) > 0]
+energies = np.array([(gas_energy("colliding", t), *dust_energy(
+    "colliding", t, parts=True)) for t in times])
+totals = energies.sum(axis=1)
+pairs = re.findall(r"Pair, boundary events\s*= [^\n]*in all (\d+)", log)
+verdict("collisions_close_the_account",
+        np.ptp(totals) < 1e-12*totals[0] and pairs and int(pairs[-1]) > 10,
+        "total %.12g J, range %.1e; pair collisions %s" % (
+            totals[0], np.ptp(totals), pairs[-1:]))
+
+# Restart to the bit, two ranks
+case = copy_case("colliding", "half")
+for t in times:
+    must(case, "rm", "-rf", t)
+end = times[-1]
+edit(case, "system/controlDict", "endTime 0.0004", "endTime 0.0002")
+solve(case)
+edit(case, "system/controlDict", "endTime 0.0002", "endTime 0.0004")
+solve(case)
+folder = os.path.join(end, "lagrangian", "sand")
+other = [n for n in sorted(os.listdir(os.path.join("colliding", folder)))
+         if not filecmp.cmp(os.path.join("colliding", folder, n),
+                            os.path.join(case, folder, n), False)]
+verdict("restart_is_bitwise",
+        not other and "T" in os.listdir(os.path.join(case, folder)),
+        f"different: {other}")
+
+sealed("straight", 3, 1e-6, 10, 1e-5, u=U0, T=T0, T_dust=TD, per_cell=5)
+ranks = copy_case("straight", "ranks")
+solve("straight")
+decompose(ranks)
+solve(ranks, 2)
+must(ranks, "reconstructPar", "-latestTime")
+apart = max(np.abs(a/b - 1).max() for a, b in zip(
+    last_fields("straight", "T p"), last_fields(ranks, "T p")))
+grains = abs(dust_energy("straight")/dust_energy(ranks) - 1)
+verdict("two_ranks", apart < 1e-12 and grains < 1e-12,
+        "gas differs by %.1e, grains by %.1e" % (apart, grains))
+
+# A run without temperatures goes on with them, from T0
+cold = "cold"
+sealed(cold, 3, 1e-6, 4, 1e-5, u=U0, T=T0, T_dust=TD,
+       change=lambda c: c.replace("heatTransfer on", "heatTransfer off"))
+solve(cold)
+without = not os.path.exists(f"{cold}/{times_of(cold)[-1]}/lagrangian/sand/T")
+edit(cold, "constant/sandProperties", "heatTransfer off", "heatTransfer on")
+edit(cold, "system/controlDict", "endTime 4e-05", "endTime 8e-05")
+log = solve(cold)
+verdict("begins_at_T0", without and "begin at T0 300 K: 4" in log,
+        "no file T without heat transfer, then T0")
+
+# Bad input: words that the message must have
+for name, old, new, words in (
+        ("switch", "heatTransfer on", "heatTransfer maybe", ["maybe"]),
+        ("motion", "motion { type embeddedRK54; tolerance 1e-09; }",
+         "motion stock;", ["heatTransfer on", "embeddedRK54"]),
+        ("model", "heatTransferModel ranzMarshall",
+         "heatTransferModel ranzMarschall",
+         ["Unknown heatTransferModel ranzMarschall", "Did you mean",
+          "kavanau"]),
+        ("entry", "heatTransferModel ranzMarshall;",
+         "heatTransferModel { type fox; form original; }", ["form", "fox"]),
+        ("recovery", "heatTransferModel ranzMarshall;",
+         "heatTransferModel { type fox; recoveryFactor 3; }",
+         ["recoveryFactor 3", "[0, 2]"]),
+        ("noT0", "T0 300.0; ", "", ["T0"]),
+        ("T0", "T0 300.0", "T0 -3", ["T0 -3", "(0, 1e8)"]),
+        ("noCp", "Cp0 800; ", "", ["Cp0"]),
+        ("Cp", "Cp0 800", "Cp0 (800 -1)", ["Cp0", "1 to 5000 K"]),
+        ("Cp0", "Cp0 800", "Cp0 0", ["Cp0 0", "[0.001, 1e9]"]),
+        ("emissivity", "Cp0 800;", "Cp0 800; epsilon0 2;",
+         ["epsilon0 2", "[0, 1]"]),
+        ("surroundings", "Cp0 800;", "Cp0 800; epsilon0 0.5;",
+         ["TSurroundings"]),
+        ("melting", "Cp0 800;", "Cp0 800; melting { solidus 900; liquidus"
+         " 900; latentHeat 1e5; }", ["liquidus 900", "solidus"]),
+        ("misspelt", "Cp0 800;", "Cp0 800; epsilon 0.5;",
+         ["epsilon", "epsilon0"]),
+        ("TwOverT", "sphereDrag;", "hendersonDrag { TwOverT 0.5; }",
+         ["TwOverT", "temperatures of their own"])):
+    case = copy_case("one", "bad")
+    for t in times_of(case)[1:]:
+        must(case, "rm", "-rf", t)
+    edit(case, "constant/sandProperties", old, new)
+    status, text = run(case, "rhoCentralParcelFoam")
+    at = text.find("FOAM FATAL")
+    missing = [w for w in words if w not in text[at:]]
+    verdict("refuses_" + name, status != 0 and at >= 0 and not missing
+            and "\nTime = " not in text[:at],
+            complaint(text) + f" missing {missing}")
+    must(".", "rm", "-rf", case)
