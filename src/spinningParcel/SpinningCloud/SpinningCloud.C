@@ -24,17 +24,20 @@ void Foam::SpinningCloud<CloudType>::setModels()
     (
         solution, {"rotation", "motion", "collisions", "heatTransfer"}
     );
+    // What heat transfer reads may stay where it is switched off, but not
+    // where nothing would read it
     wordList properties({"omega0"});
-    properties.append(heatTransfer::properties);
+    wordList models({"rotationalTorqueModel"});
+    if (solution.found("heatTransfer"))
+    {
+        properties.append(heatTransfer::properties);
+        models.append("heatTransferModel");
+    }
     stockCloudEntries::checkProperties
     (
         this->particleProperties().subDict("constantProperties"), properties
     );
-    stockCloudEntries::checkModels
-    (
-        this->subModelProperties(),
-        {"rotationalTorqueModel", "heatTransferModel"}
-    );
+    stockCloudEntries::checkModels(this->subModelProperties(), models);
     rotation_ = solution.lookupOrDefault<Switch>("rotation", true);
     torque_ = rotationalTorqueModel::New(this->subModelProperties());
 
