@@ -65,14 +65,15 @@ void Foam::steadySolution::marchExplicitly()
 void Foam::steadySolution::approach
 (
     ImplicitGaussSeidel& implicit,
-    const scalar largestCo
+    const scalar largestCo,
+    const bool toTheEnd
 )
 {
     // An impulsive start needs the first steps to be short. The march is left
     // to Newton's method near the steady state, and where it no longer comes
     // nearer.
-    const label patience = 100;
-    const scalar near = 1e-3;
+    const label patience = toTheEnd ? 400 : 100;
+    const scalar near = toTheEnd ? 0 : 1e-3;
     scalar reference = GREAT;
     scalar Co = min(scalar(1), largestCo);
 
@@ -107,9 +108,11 @@ void Foam::steadySolution::approach
 }
 
 
-void Foam::steadySolution::converge(NewtonKrylov& newton)
+bool Foam::steadySolution::converge(NewtonKrylov& newton)
 {
     const label patience = 40;
+    const label mostUnsolved = 4;
+    label nUnsolved = 0;
     scalar best = GREAT;
     label bestIteration = iterations_;
     scalar Co = 10;
@@ -122,9 +125,20 @@ void Foam::steadySolution::converge(NewtonKrylov& newton)
         iterations_++;
         if (finished())
         {
-            return;
+            return true;
         }
         report("Newton", Co);
+
+        // Where a shock runs across the cells as it likes, one of its modes
+        // may hardly decay, and the linear equations are out of reach at the
+        // Courant numbers that would pay. The sweeps damp that mode.
+        if (!newton.solved() && Co <= 0.2*settings_.maxCo)
+        {
+            if (++nUnsolved == mostUnsolved)
+            {
+                return false;
+            }
+        }
 
         // The step grows as the residual falls, but no faster than twofold,
         // nor further than the linear equations can be solved
@@ -142,6 +156,7 @@ void Foam::steadySolution::converge(NewtonKrylov& newton)
             bestIteration = iterations_;
         }
     }
+    return true;
 }
 
 
@@ -187,8 +202,11 @@ bool Foam::steadySolution::solve(const bool near)
             {
                 newton.reset(new NewtonKrylov(equations_));
             }
-            converge(*newton);
-            if (!finished())
+            if (!converge(*newton))
+            {
+                approach(implicit, settings_.maxCo, true);
+            }
+            else if (!finished())
             {
                 // Shorter steps may lead to where Newton's method succeeds
                 Co = max(Co/3, min(scalar(2), settings_.maxCo));
