@@ -6,6 +6,7 @@ import re
 import subprocess
 import sys
 
+from dust import sealed
 from subjects import SUBJECTS
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -17,8 +18,24 @@ MEMCHECK = ["valgrind", "-q", "--leak-check=full", "--num-callers=25",
 # Valgrind reports what a trap of floating-point errors would end
 ENVIRONMENT = {**os.environ, "FOAM_SIGFPE": "false"}
 
+
+class Dust:
+    """Grains that act on a gas that changes, with heat and collisions: the
+    cases of the fuzz have a frozen gas."""
+
+    name = "dustyGas"
+    command = ["rhoCentralParcelFoam"]
+
+    @staticmethod
+    def build(case):
+        sealed(case, 1, 3e-5, 3, 1e-5, per_cell=4, scatter=20.,
+               number=1e-3/3e-5, change=lambda cloud: cloud.replace(
+                   "rotation off;",
+                   "rotation on; collisions { type eventDriven; }"))
+
+
 failed = False
-for subject in SUBJECTS:
+for subject in [*SUBJECTS, Dust]:
     if len(sys.argv) > 1 and subject.name not in sys.argv[1:]:
         continue
     subject.build(subject.name)
