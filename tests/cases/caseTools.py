@@ -202,16 +202,16 @@ def solve(case, ranks=1):
 # ------------------------------------------------------------------- reading
 
 def read_field(path):
-    """Internal field of a volume field file, one row per cell; a uniform
-    field gives a single value."""
+    """Internal field of a volume field file, or a field without boundary, one
+    row per cell; a uniform field gives a single value."""
     with open(path, "rb") as file:
         data = file.read()
     vector = re.search(rb"class\s+volVectorField", data) is not None
     width = 3 if vector else 1
-    head = re.search(rb"internalField\s+nonuniform\s+List<\w+>\s+(\d+)\s*\(",
+    head = re.search(rb"(?:internalField|value)\s+nonuniform\s+List<\w+>\s+(\d+)\s*\(",
                      data)
     if head is None:
-        head = re.search(rb"internalField\s+uniform\s+\(?([^;)]*)", data)
+        head = re.search(rb"(?:internalField|value)\s+uniform\s+\(?([^;)]*)", data)
         return np.array(head.group(1).split(), float).squeeze()
     n = int(head.group(1))
     if re.search(rb"format\s+binary", data):

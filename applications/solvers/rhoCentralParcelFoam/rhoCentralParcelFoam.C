@@ -38,10 +38,8 @@ int main(int argc, char* argv[])
     highSpeedGas gas(mesh);
     parcelClouds clouds(mesh, gas.rho(), gas.U(), gas.thermo());
 
-    if (clouds.coupled())
-    {
-        gas.needTransient("A cloud that acts on the gas");
-    }
+    gas.expectParticles(clouds.coupled());
+    clouds.setGasResponds(gas.responds());
     const parcelClouds::receiver receive
     (
         [&gas](const vectorField& momentum, const scalarField& energy)
@@ -87,8 +85,7 @@ int main(int argc, char* argv[])
 
     // Digits enough for times, whatever those of the files are
     Sout.precision(6);
-    Info<< "Gas: " << returnReduce(gas.cpuTime(), sumOp<scalar>())
-        << " s of processor time" << endl;
+    gas.info();
     clouds.info();
     Info<< "End" << nl << endl;
     return 0;

@@ -413,6 +413,25 @@ void Foam::gasEquations::receive
 }
 
 
+void Foam::gasEquations::setSources
+(
+    const vectorField& force,
+    const scalarField& power
+)
+{
+    source_.assign(rate.size(), 0);
+    for (label c = 0; c < geometry_.nCells(); c++)
+    {
+        double* s = &source_[c*nVar_];
+        s[1] = power[c];
+        for (int d = 0; d < geometry_.nDim(); d++)
+        {
+            s[2 + d] = force[c][geometry_.direction(d)];
+        }
+    }
+}
+
+
 void Foam::gasEquations::reportTrouble()
 {
     label celli = -1;
@@ -480,7 +499,14 @@ void Foam::gasEquations::calm()
 
 void Foam::gasEquations::computeRate()
 {
-    std::fill(rate.begin(), rate.end(), 0);
+    if (source_.empty())
+    {
+        std::fill(rate.begin(), rate.end(), 0);
+    }
+    else
+    {
+        rate = source_;
+    }
 
     if (anyTroubled_)
     {

@@ -5,6 +5,7 @@
 #include "highSpeedGas.H"
 #include "checked.H"
 #include "shockAlignment.H"
+#include "steadyFeedback.H"
 #include "steadySolution.H"
 #include "localIOdictionary.H"
 #include "presentFile.H"
@@ -137,7 +138,7 @@ void Foam::highSpeedGas::readSettings()
         d,
         {
             "mode", "scheme", "maxCo", "residual", "maxIterations",
-            "reportEvery", "viscous"
+            "reportEvery", "viscous", "feedback"
         }
     );
 
@@ -384,6 +385,9 @@ Foam::highSpeedGas::highSpeedGas(const fvMesh& mesh)
 }
 
 
+Foam::highSpeedGas::~highSpeedGas() = default;
+
+
 void Foam::highSpeedGas::setDeltaT(Time& runTime)
 {
     if (frozen() || mode_ == modeType::steady)
@@ -508,25 +512,54 @@ void Foam::highSpeedGas::align(shockAlignment& alignment)
 }
 
 
-void Foam::highSpeedGas::needTransient(const string& what) const
+void Foam::highSpeedGas::expectParticles(const bool act)
 {
-    if (mode_ != modeType::transient)
+    const dictionary* found =
+        findBlockAmongOthers(mesh_.solutionDict(), "highSpeedGas");
+    const dictionary& d = found ? *found : dictionary::null;
+    const dictionary* feedback = d.findDict("feedback");
+    if (feedback && (!act || mode_ != modeType::steady))
     {
-        FatalIOErrorInFunction
+        FatalIOErrorInFunction(*feedback)
+            << "Block feedback is for clouds that act on a steady gas: "
+            << (act ? "the mode is " : "no cloud says 'coupled yes;'")
+            << (act ? modeNames[mode_] : word::null) << nl
+            << "Valid: no block feedback" << exit(FatalIOError);
+    }
+    if (act && mode_ == modeType::frozen)
+    {
+        refuse
         (
-            mesh_.solutionDict().subDict("highSpeedGas")
-        )
-            << what << " needs a gas that is marched in time: entry 'mode',"
-            << " value " << modeNames[mode_] << ", must be transient"
-            << exit(FatalIOError);
+            d, "mode", "frozen", "transient or steady with a cloud that acts"
+            " on the gas"
+        );
+    }
+    if (act && mode_ == modeType::steady)
+    {
+        if (!feedback)
+        {
+            FatalIOErrorInFunction(d)
+                << "A cloud acts on the gas, which is steady: how they come"
+                << " to rest together must be said." << nl
+                << "Add to the block highSpeedGas, with times that particles"
+                << " need to cross the domain:" << nl
+                << "    feedback { delay <s>; window <s>; }"
+                << exit(FatalIOError);
+        }
+        feedback_.reset(new steadyFeedback(*equations_, state_, *feedback));
     }
 }
 
 
 bool Foam::highSpeedGas::solve()
 {
-    if (frozen())
+    const bool roundEnds = feedback_.valid() && feedback_->roundEnds();
+    if (frozen() && !roundEnds)
     {
+        if (feedback_.valid())
+        {
+            feedback_->beginStep();
+        }
         return false;
     }
 
@@ -540,7 +573,21 @@ bool Foam::highSpeedGas::solve()
 
         if (mode_ == modeType::steady)
         {
-            findSteadyState(residual_, false);
+            if (roundEnds)
+            {
+                const std::vector<double> before(equations_->primitive);
+                feedback_->endRound();
+                findSteadyState(residual_, true);
+                feedback_->compare(before);
+            }
+            else
+            {
+                findSteadyState(residual_, false);
+            }
+            if (feedback_.valid())
+            {
+                feedback_->beginStep();
+            }
             steady_ = true;
         }
         else
@@ -554,6 +601,13 @@ bool Foam::highSpeedGas::solve()
             }
         }
         publish();
+        if (feedback_.valid())
+        {
+            // Go on from what may be written, so that a restart goes the
+            // same way
+            equations_->readFields(true);
+            publish(true);
+        }
     }
     if (mode_ == modeType::transient)
     {
@@ -571,6 +625,11 @@ void Foam::highSpeedGas::receive
     const scalarField& energy
 )
 {
+    if (feedback_.valid())
+    {
+        feedback_->receive(momentum, energy);
+        return;
+    }
     const scalar start = mesh_.time().elapsedCpuTime();
     const sigFpe::ignore untrapped;
 
@@ -578,4 +637,15 @@ void Foam::highSpeedGas::receive
     publish();
 
     cpuTime_ += mesh_.time().elapsedCpuTime() - start;
+}
+
+
+void Foam::highSpeedGas::info() const
+{
+    Info<< "Gas: " << returnReduce(cpuTime_, sumOp<scalar>())
+        << " s of processor time" << endl;
+    if (feedback_.valid())
+    {
+        feedback_->warnUnlessAtRest();
+    }
 }

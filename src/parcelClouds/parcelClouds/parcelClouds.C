@@ -195,6 +195,15 @@ void Foam::parcelClouds::evolve
 }
 
 
+void Foam::parcelClouds::setGasResponds(const bool responds)
+{
+    forAll(clouds_, i)
+    {
+        clouds_[i].setGasResponds(responds);
+    }
+}
+
+
 bool Foam::parcelClouds::coupled() const
 {
     bool any = false;

@@ -687,7 +687,7 @@ void Foam::SpinningCloud<CloudType>::motion
 )
 {
     inMotion_ = true;
-    if (embedded_.valid() && this->solution().coupled())
+    if (embedded_.valid() && this->solution().coupled() && gasResponds_)
     {
         if (coreForce_.valid())
         {

@@ -1,0 +1,245 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "steadyFeedback.H"
+#include "checked.H"
+#include "Time.H"
+
+namespace
+{
+
+using namespace Foam;
+
+IOobject sourceField(const fvMesh& mesh, const word& name)
+{
+    return IOobject
+    (
+        name,
+        mesh.time().timeName(),
+        mesh,
+        IOobject::READ_IF_PRESENT,
+        IOobject::AUTO_WRITE
+    );
+}
+
+} // End anonymous namespace
+
+
+Foam::label Foam::steadyFeedback::delaySteps() const
+{
+    return label(delay_/equations_.mesh().time().deltaTValue() + 0.5);
+}
+
+
+Foam::label Foam::steadyFeedback::roundSteps() const
+{
+    const scalar dt = equations_.mesh().time().deltaTValue();
+    return delaySteps() + max(label(window_/dt + 0.5), label(1));
+}
+
+
+void Foam::steadyFeedback::store()
+{
+    dictionary& d = state_.subDictOrAdd("feedback");
+    d.set("round", round_);
+    d.set("nSteps", nSteps_);
+    d.set("deltaT", equations_.mesh().time().deltaTValue());
+    d.set("rests", rests_);
+}
+
+
+Foam::steadyFeedback::steadyFeedback
+(
+    gasEquations& equations,
+    IOdictionary& state,
+    const dictionary& dict
+)
+:
+    equations_(equations),
+    state_(state),
+    force_
+    (
+        sourceField(equations.mesh(), "particleForce"),
+        equations.mesh(),
+        dimensionedVector(dimForce, Zero)
+    ),
+    power_
+    (
+        sourceField(equations.mesh(), "particlePower"),
+        equations.mesh(),
+        dimensionedScalar(dimPower, Zero)
+    ),
+    momentum_
+    (
+        sourceField(equations.mesh(), "particleForceSum"),
+        equations.mesh(),
+        dimensionedVector(dimForce*dimTime, Zero)
+    ),
+    energy_
+    (
+        sourceField(equations.mesh(), "particlePowerSum"),
+        equations.mesh(),
+        dimensionedScalar(dimPower*dimTime, Zero)
+    ),
+    round_(0),
+    nSteps_(0),
+    rests_(false)
+{
+    refuseOthers
+    (
+        dict, {"delay", "window", "relaxation", "tolerance", "maxRounds"}
+    );
+    delay_ = getNumber<scalar>(dict, "delay", "[0, 1e300] s");
+    window_ = getNumber<scalar>(dict, "window", "(0, 1e300] s");
+    relaxation_ = getNumber(dict, "relaxation", "(0, 1]", scalar(0.7));
+    tolerance_ = getNumber(dict, "tolerance", "(0, 1)", scalar(1e-3));
+    maxRounds_ = getNumber<label>(dict, "maxRounds", validRange::count, 50);
+
+    const dictionary& old = state.subOrEmptyDict("feedback");
+    round_ = old.getOrDefault<label>("round", 0);
+    nSteps_ = old.getOrDefault<label>("nSteps", 0);
+    rests_ = old.getOrDefault("rests", false);
+    const scalar dt = equations_.mesh().time().deltaTValue();
+    if (mag(old.getOrDefault("deltaT", dt)/dt - 1) > 1e-4 && nSteps_ > 0)
+    {
+        Info<< "Gas: the time step has changed, a round begins anew" << endl;
+        nSteps_ = 0;
+        momentum_.field() = Zero;
+        energy_.field() = 0;
+    }
+    equations_.setSources(force_.field(), power_.field());
+    store();
+}
+
+
+bool Foam::steadyFeedback::roundEnds() const
+{
+    return open() && nSteps_ >= roundSteps();
+}
+
+
+void Foam::steadyFeedback::endRound()
+{
+    const scalar share =
+        relaxation_
+       /(equations_.mesh().time().deltaTValue()*(roundSteps() - delaySteps()));
+
+    // How much of the sources is new
+    FixedList<scalar, 4> sums(Zero);
+    forAll(power_, celli)
+    {
+        const vector dF(share*momentum_[celli] - relaxation_*force_[celli]);
+        const scalar dP(share*energy_[celli] - relaxation_*power_[celli]);
+        force_[celli] += dF;
+        power_[celli] += dP;
+        sums[0] += mag(dF)/relaxation_;
+        sums[1] += mag(dP)/relaxation_;
+        sums[2] += mag(force_[celli]);
+        sums[3] += mag(power_[celli]);
+    }
+    for (scalar& sum : sums)
+    {
+        reduce(sum, sumOp<scalar>());
+    }
+    Info<< "Gas: round " << round_ + 1 << " of the particles ends: they give "
+        << gSum(force_.field()) << " N and " << gSum(power_.field())
+        << " W; new in force and power, cell by cell: "
+        << sums[0]/max(sums[2], VSMALL) << ", " << sums[1]/max(sums[3], VSMALL)
+        << endl;
+
+    momentum_.field() = Zero;
+    energy_.field() = 0;
+    nSteps_ = 0;
+    round_++;
+    equations_.setSources(force_.field(), power_.field());
+}
+
+
+void Foam::steadyFeedback::compare(const std::vector<double>& before)
+{
+    // Of p, T and U: change and size
+    FixedList<scalar, 6> sums(Zero);
+    const gasMesh& geometry = equations_.geometry();
+    const int nVar = equations_.nVar();
+    for (label c = 0; c < geometry.nCells(); c++)
+    {
+        const double* q = &equations_.primitive[c*nVar];
+        const double* old = &before[c*nVar];
+        scalar change = 0;
+        scalar size = 0;
+        for (int d = 2; d < nVar; d++)
+        {
+            change += sqr(q[d] - old[d]);
+            size += sqr(q[d]);
+        }
+        const scalar V = geometry.volume[c];
+        for (int k = 0; k < 2; k++)
+        {
+            sums[k] += V*mag(q[k] - old[k]);
+            sums[3 + k] += V*q[k];
+        }
+        sums[2] += V*std::sqrt(change);
+        sums[5] += V*std::sqrt(size);
+    }
+    for (scalar& sum : sums)
+    {
+        reduce(sum, sumOp<scalar>());
+    }
+
+    scalar largest = 0;
+    Info<< "Gas: in round " << round_ << " p, T, U have changed by";
+    for (int k = 0; k < 3; k++)
+    {
+        const scalar change = sums[k]/max(relaxation_*sums[3 + k], VSMALL);
+        largest = max(largest, change);
+        Info<< ' ' << change;
+    }
+    rests_ = largest <= tolerance_;
+    Info<< (rests_ ? ": gas and particles rest" : "") << endl;
+    if (!rests_ && round_ == maxRounds_)
+    {
+        WarningInFunction
+            << "Gas and particles do not rest after " << round_
+            << " rounds: in the last one the gas has changed by " << largest
+            << ", tolerance " << tolerance_ << ". A smaller relaxation, a"
+            << " longer window or more parcels may help." << endl;
+    }
+    store();
+}
+
+
+void Foam::steadyFeedback::beginStep()
+{
+    if (open())
+    {
+        nSteps_++;
+        store();
+    }
+}
+
+
+void Foam::steadyFeedback::receive
+(
+    const vectorField& momentum,
+    const scalarField& energy
+)
+{
+    if (open() && nSteps_ > delaySteps())
+    {
+        momentum_.field() += momentum;
+        energy_.field() += energy;
+    }
+}
+
+
+void Foam::steadyFeedback::warnUnlessAtRest() const
+{
+    if (open())
+    {
+        WarningInFunction
+            << "The run has ended in round " << round_ + 1 << " of the"
+            << " particles: they do not rest in the gas yet. Go on to a later"
+            << " endTime: a round takes " << delay_ + window_ << " s." << endl;
+    }
+}
