@@ -273,7 +273,7 @@ TABLE = [
                                 "injectionModel none; dispersionModel none")),
      ["Unknown entry injectionModel", "Did you mean injectionModels?",
       "subModels"]),
-    ("coupledSteadyGas", coupled, ["mode", "steady", "transient"]),
+    ("coupledSteadyGas", coupled, ["steady", "feedback {", "highSpeedGas"]),
     ("sourceFactor", source("U explicit 0.5;"),
      ["U explicit 0.5", "explicit 1", "what the parcels lose"]),
     ("sourceScheme", source("U implicit 1;"),
