@@ -114,7 +114,7 @@ Foam::scalar Foam::SpinningParcel<ParcelType>::takeHeat
 {
     const impact::specificHeat& material = sphere.material();
     const scalar mass = this->mass();
-    const scalar radiated = mass*sphere.radiated(T0, T_, k, t);
+    const scalar radiated = mass*sphere.radiatedIn(t, T0, T_, k);
     const scalar taken =
         mass*(material.h(T_) - material.h(T0)) + radiated;
     cloud.gainHeat(this->nParticle_*taken, this->nParticle_*radiated);

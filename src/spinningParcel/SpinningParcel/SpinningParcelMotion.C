@@ -455,17 +455,11 @@ bool Foam::SpinningParcel<ParcelType>::move
         // The gas is that of the exchange only in the step of all parcels
         return true;
     }
-    if (auto* force = cloud.coreForce())
-    {
-        return moveEmbedded(cloud, td, trackTime, *force);
-    }
-    if (auto* force = cloud.listedForce())
-    {
-        return moveEmbedded(cloud, td, trackTime, *force);
-    }
-    if (auto* force = cloud.heatedCoreForce())
-    {
-        return moveEmbedded(cloud, td, trackTime, *force);
-    }
-    return moveEmbedded(cloud, td, trackTime, *cloud.heatedListedForce());
+    return cloud.withForce
+    (
+        [&](auto& force)
+        {
+            return moveEmbedded(cloud, td, trackTime, force);
+        }
+    );
 }

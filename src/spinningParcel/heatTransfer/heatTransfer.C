@@ -55,7 +55,6 @@ void Foam::heatTransfer::readModel()
         }
         refuseOthers(d, valid);
     }
-    Info<< "Selecting heat transfer model " << law_ << endl;
 }
 
 
@@ -125,14 +124,6 @@ Foam::heatTransfer::heatTransfer
     );
 
     readModel();
-    if (gMin(thermo().psi().primitiveField()) <= 0)
-    {
-        FatalIOErrorInFunction(models_)
-            << "heatTransfer on needs a speed of sound. Entry thermo "
-            << thermoName_ << ": valid range a model with a compressible"
-            << " equation of state (psi > 0)" << exit(FatalIOError);
-    }
-    update();
 }
 
 
@@ -164,6 +155,13 @@ void Foam::heatTransfer::update()
         const scalarField Cv(gas.Cv()().primitiveField());
         const scalarField mu(gas.mu()().primitiveField());
         const scalarField& psi = gas.psi().primitiveField();
+        if (gMin(psi) <= 0)
+        {
+            FatalIOErrorInFunction(models_)
+                << "heatTransfer on needs a speed of sound. Entry thermo "
+                << thermoName_ << ": valid range a model with a compressible"
+                << " equation of state (psi > 0)" << exit(FatalIOError);
+        }
         const scalarField& T = gas.T().primitiveField();
         const scalar gamma = uniform(Cp/Cv, "the ratio of specific heats");
         const scalar Pr = uniform

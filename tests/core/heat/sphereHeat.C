@@ -242,7 +242,7 @@ TEST(sphereHeat, radiatedIsTheIntegral)
                 z > 0 ? std::expm1(-z*x)/std::expm1(-z) : x;
             sum += heat.radiated(T0 + (T1 - T0)*share)*t/n;
         }
-        EXPECT_NEAR(heat.radiated(T0, T1, z/t, t)/sum, 1, 2e-4) << z;
+        EXPECT_NEAR(heat.radiatedIn(t, T0, T1, z/t)/sum, 1, 2e-4) << z;
     }
-    EXPECT_NEAR(heat.radiated(1000, 300, 1e9, 1e-3), 0, 1);
+    EXPECT_NEAR(heat.radiatedIn(1e-3, 1000, 300, 1e9), 0, 1);
 }

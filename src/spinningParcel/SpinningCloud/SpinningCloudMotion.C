@@ -1,0 +1,306 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "CoreDragForce.H"
+#include "GravityForce.H"
+#include "MagnusForce.H"
+#include "meshTools.H"
+#include "NoDispersion.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class CloudType>
+void Foam::SpinningCloud<CloudType>::checkEmbedded()
+{
+    const dictionary& solution = this->solution().dict();
+
+    // The gas that the motion takes has one scheme, that of the velocity;
+    // forces may have fields of their own
+    dictionary& schemes =
+        const_cast<dictionary&>(solution).subDictOrAdd("interpolationSchemes");
+    const word& U = this->U().name();
+    const word scheme = getWord(schemes, U, cellGas::schemes);
+    const wordList gas
+    {
+        this->rho().name(), U, this->mu().name(), "T", "halfCurl(" + U + ')'
+    };
+    for (const entry& e : schemes)
+    {
+        getWordOf
+        (
+            schemes, e.keyword(), "",
+            gas.found(e.keyword()) ? wordList(1, scheme) : cellGas::schemes
+        );
+    }
+    for (const word& name : gas)
+    {
+        // What the user has given is the same scheme; added once more it
+        // would be warned of
+        if (!schemes.found(name, keyType::LITERAL))
+        {
+            schemes.add(name, scheme);
+        }
+    }
+    gas_.reset(new cellGas(this->mesh(), scheme));
+
+    if (this->solution().cellValueSourceCorrection())
+    {
+        refuse
+        (
+            solution, "cellValueSourceCorrection", "on",
+            "off with motion embeddedRK54"
+        );
+    }
+    if (!isA<NoDispersion<kinematicCloudType>>(this->dispersion()))
+    {
+        refuse
+        (
+            this->subModelProperties(), "dispersionModel",
+            this->dispersion().modelType(), "none with motion embeddedRK54"
+        );
+    }
+    if (this->mesh().dynamic())
+    {
+        refuse(solution, "motion", "embeddedRK54", "stock on a moving mesh");
+    }
+}
+
+
+template<class CloudType>
+void Foam::SpinningCloud<CloudType>::updateCurl()
+{
+    if (!rotation_)
+    {
+        return;
+    }
+
+    halfCurl_ = &cellGas::halfCurl(this->U());
+    if (halfCurl_->eventNo() == halfCurlEvent_ && !this->mesh().changing())
+    {
+        return;
+    }
+    halfCurlEvent_ = halfCurl_->eventNo();
+
+    const dictionary& schemes = this->solution().interpolationSchemes();
+    const word UScheme(schemes.get<word>(this->U().name()));
+    halfCurlInterp_.clear();
+    halfCurlInterp_.reset
+    (
+        interpolation<vector>::New
+        (
+            schemes.lookupOrDefault<word>(halfCurl_->name(), UScheme),
+            *halfCurl_
+        ).ptr()
+    );
+}
+
+
+template<class CloudType>
+void Foam::SpinningCloud<CloudType>::prepareMotion()
+{
+    if (!embedded_.valid())
+    {
+        return;
+    }
+
+    typedef CoreDragForce<kinematicCloudType> dragType;
+    const dragType* drag = nullptr;
+    bool magnus = false;
+    bool gravity = false;
+    bool core = torque_->standard() || !torque_->active();
+    for (const auto& force : this->forces())
+    {
+        const dragType* law = dynamic_cast<const dragType*>(&force);
+        if (law && !drag)
+        {
+            drag = law;
+            core = core && drag->uniformGas();
+        }
+        else if (isA<MagnusForce<kinematicCloudType>>(force))
+        {
+            magnus = true;
+        }
+        else if (isA<GravityForce<kinematicCloudType>>(force))
+        {
+            gravity = true;
+        }
+        else
+        {
+            core = false;
+        }
+    }
+
+    const fluidThermo* thermo =
+        heat_.valid() ? &heat_->thermo() : drag ? drag->gas() : nullptr;
+    const volScalarField* T = thermo ? &thermo->T() : nullptr;
+    gas_->update(this->U(), halfCurl_, this->rho(), this->mu(), T);
+
+    coreForce_.clear();
+    listedForce_.clear();
+    heatedCoreForce_.clear();
+    heatedListedForce_.clear();
+    const spinningListedForce<spinningCloudType> listed(*this, magnus);
+    const spinningCoreForce coreForce
+    (
+        impact::sphereForces
+        (
+            core && drag ? &drag->drag() : nullptr,
+            core && drag ? drag->gammaR() : 1,
+            magnus && rotation_,
+            torque_->active() && rotation_,
+            toCore(gravity ? this->g().value() : vector::zero),
+            counts_
+        ),
+        this->mesh()
+    );
+    if (heat_.valid())
+    {
+        heat_->update();
+        const impact::sphereHeat sphere(heat_->sphere());
+        if (core)
+        {
+            heatedCoreForce_.reset
+            (
+                new heatedForce<spinningCoreForce>(sphere, coreForce)
+            );
+        }
+        else
+        {
+            heatedListedForce_.reset
+            (
+                new heatedForce<spinningListedForce<spinningCloudType>>
+                (
+                    sphere, listed
+                )
+            );
+        }
+    }
+    else if (core)
+    {
+        coreForce_.reset(new spinningCoreForce(coreForce));
+    }
+    else
+    {
+        listedForce_.reset
+        (
+            new spinningListedForce<spinningCloudType>(listed)
+        );
+    }
+}
+
+
+template<class CloudType>
+template<class Force>
+void Foam::SpinningCloud<CloudType>::changeGas
+(
+    Force& force,
+    typename parcelType::trackingData& td
+)
+{
+    typedef typename Force::state State;
+    const scalar dt = this->solution().trackTime();
+    const polyMesh& mesh = this->mesh();
+    const bool reduced = mesh.nSolutionD() != 3;
+    exchanges_.assign(mesh.nCells(), impact::jointExchange());
+    cellGas::field store;
+    for (parcelType& p : *this)
+    {
+        if (!p.active())
+        {
+            continue;
+        }
+        point at = p.position();
+        if (reduced)
+        {
+            meshTools::constrainToMeshCentre(mesh, at);
+        }
+        const impact::vector3 x(toCore(at));
+        force.parcel(p, td);
+        force.place(gas_->at(cells().locate(p.cell(), x), store), x);
+        State state;
+        state.x = impact::vector3{0, 0, 0};
+        state.v = toCore(p.U());
+        state.omega = toCore(p.omega());
+        if constexpr (impact::particleMotion::thermal<State>)
+        {
+            state.h = force.heat().material().h(p.temperature());
+        }
+        const impact::gasState& here = force.here();
+        const auto rate = force(state);
+        force.done();
+
+        const scalar W = p.nParticle()*p.mass();
+        impact::jointExchange& sum = exchanges_[p.cell()];
+        sum.addMotion(W, dt, here, state.v, rate.k);
+        if constexpr (impact::particleMotion::thermal<State>)
+        {
+            sum.addHeat
+            (
+                W, dt, here, state.v, rate.k, p.temperature(), force.heat()
+            );
+        }
+    }
+    changes_.resize(mesh.nCells());
+    forAll(mesh.cells(), celli)
+    {
+        const scalar M = this->rho()[celli]*this->mesh().V()[celli];
+        changes_[celli] =
+            exchanges_[celli](M, heat_.valid() ? M*heat_->Cv() : 0);
+    }
+    gas_->change(this->U(), changes_);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+template<class CloudType>
+void Foam::SpinningCloud<CloudType>::preEvolve
+(
+    FOAM_COMPAT_EVOLVE_ARGS(parcelType)
+)
+{
+    CloudType::preEvolve(FOAM_COMPAT_EVOLVE_PASS);
+    prepareMotion();
+}
+
+
+template<class CloudType>
+void Foam::SpinningCloud<CloudType>::evolve()
+{
+    if (this->solution().canEvolve())
+    {
+        // The tracking data refer to it
+        updateCurl();
+        typename parcelType::trackingData td(*this);
+
+        this->solve(*this, td);
+    }
+}
+
+
+template<class CloudType>
+template<class TrackCloudType>
+void Foam::SpinningCloud<CloudType>::motion
+(
+    TrackCloudType& cloud,
+    typename parcelType::trackingData& td
+)
+{
+    inMotion_ = true;
+    if (embedded_.valid() && this->solution().coupled() && gasResponds_)
+    {
+        withForce([&](auto& force) { changeGas(force, td); });
+    }
+
+    if (collisions_.valid())
+    {
+        collisions_->motion(td);
+        this->updateCellOccupancy();
+    }
+    else
+    {
+        CloudType::motion(cloud, td);
+    }
+    inMotion_ = false;
+}
