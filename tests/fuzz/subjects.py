@@ -160,6 +160,20 @@ def clouds(case):
                BASE.replace("WALL", annotated("hardSphereWall")))
 
 
+def feedback(case):
+    gas_case(case, {}, 3)
+    body = change(annotated("steadyFeedback"), (r"(?s)FoamFile\s*\{.*?\}", ""),
+                  ("2e-4", "1e-6"))
+    write_foam(case, "system/fvSolution",
+               "highSpeedGas { mode steady; " + body + "}")
+    write_foam(case, "constant/parcelClouds", "clouds (dust);")
+    write_foam(case, "constant/dustProperties", change(
+        cloud_text("hardSphereWall", "rakeInjection"),
+        ("coupled no;", "coupled yes; motion embeddedRK54;"),
+        (r"nParticle\s+1;", "nParticle 1e-6;"),
+        ("cellPoint", "cellLinear")))
+
+
 TYPES = {"xMin": "patch", "xMax": "patch", "yMin": "wall", "yMax": "wall",
          "zMin": "wall", "zMax": "wall"}
 
@@ -194,6 +208,8 @@ SUBJECTS = [
     cloud("jkrAdhesion", "impactRecords", "dispersedPhase", "rakeInjection"),
     *(drag(f"{law}Drag") for law in ("henderson", "loth", "singh",
                                      "haiderLevenspiel", "holzerSommerfeld")),
+    Subject("steadyFeedback", "system/fvSolution", feedback,
+            ["rhoCentralParcelFoam"]),
     Subject("parcelClouds", "constant/parcelClouds", clouds,
             ["rhoCentralParcelFoam"]),
     rarefied("dsmcProperties"), rarefied("solidParticleProperties"),

@@ -482,7 +482,8 @@ void Foam::gasEquations::reportTrouble()
     FatalErrorInFunction
         << "The gas solution broke down at time " << mesh_.time().timeName()
         << "; the last good fields are written there. A smaller maxCo, a"
-        << " finer mesh or a more robust limiter (Minmod, upwind) may help."
+        << " finer mesh or a more robust limiter (Minmod, upwind) may help"
+        << (source_.empty() ? "." : ", or a smaller relaxation in feedback.")
         << exit(FatalError);
 }
 

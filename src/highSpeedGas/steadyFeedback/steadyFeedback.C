@@ -26,16 +26,16 @@ IOobject sourceField(const fvMesh& mesh, const word& name)
 } // End anonymous namespace
 
 
-Foam::label Foam::steadyFeedback::delaySteps() const
+Foam::scalar Foam::steadyFeedback::delaySteps() const
 {
-    return label(delay_/equations_.mesh().time().deltaTValue() + 0.5);
+    return std::round(delay_/equations_.mesh().time().deltaTValue());
 }
 
 
-Foam::label Foam::steadyFeedback::roundSteps() const
+Foam::scalar Foam::steadyFeedback::roundSteps() const
 {
     const scalar dt = equations_.mesh().time().deltaTValue();
-    return delaySteps() + max(label(window_/dt + 0.5), label(1));
+    return delaySteps() + max(std::round(window_/dt), scalar(1));
 }
 
 
@@ -90,8 +90,8 @@ Foam::steadyFeedback::steadyFeedback
     (
         dict, {"delay", "window", "relaxation", "tolerance", "maxRounds"}
     );
-    delay_ = getNumber<scalar>(dict, "delay", "[0, 1e300] s");
-    window_ = getNumber<scalar>(dict, "window", "(0, 1e300] s");
+    delay_ = getNumber<scalar>(dict, "delay", "[0, 1e9] s");
+    window_ = getNumber<scalar>(dict, "window", "(0, 1e9] s");
     relaxation_ = getNumber(dict, "relaxation", "(0, 1]", scalar(0.7));
     tolerance_ = getNumber(dict, "tolerance", "(0, 1)", scalar(1e-3));
     maxRounds_ = getNumber<label>(dict, "maxRounds", validRange::count, 50);
