@@ -6,6 +6,7 @@
 #include "checked.H"
 #include "MagnusForce.H"
 #include "stockCloudEntries.H"
+#include "wallImpacts.H"
 #include "withheldOutput.H"
 
 #include <stdexcept>
@@ -77,6 +78,7 @@ void Foam::SpinningCloud<CloudType>::setModels()
             new heatTransfer(this->particleProperties(), this->mesh())
         );
         heat_->update();
+        wallImpacts::New(*this).setMaterial(heat_->material());
         Info<< "Selecting heat transfer model " << heat_->law() << endl;
     }
     else if (this->subModelProperties().found("heatTransferModel"))

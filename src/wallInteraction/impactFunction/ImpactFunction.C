@@ -7,6 +7,7 @@
 #include "impactMeasures.H"
 #include "impactPatches.H"
 #include "impactTime.H"
+#include "parcelHeat.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -145,6 +146,7 @@ Foam::ImpactFunction<CloudType, Recorder>::postPatch
         i.rotationalEnergy1 = 0;
         i.nParticle = p.nParticle();
         i.captured = false;
+        parcelHeat::set(i, p, *published_);
         recorder_->take(i, parcelSpin::carried<parcelType>(), false);
     }
 

@@ -5,6 +5,7 @@
 #include "ParcelWallModel.H"
 #include "writtenState.H"
 #include "impactTime.H"
+#include "parcelHeat.H"
 
 // * * * * * * * * * * * * * ParcelWallReport * * * * * * * * * * * * * * * * //
 
@@ -58,6 +59,7 @@ void Foam::ParcelWallModel<CloudType>::publish
     impact.mass = mass;
     impact.nParticle = p.nParticle();
     impact.captured = captured;
+    parcelHeat::set(impact, p, impacts_);
     impacts_.publish(impact);
 }
 

@@ -19,25 +19,36 @@ Description
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 const std::vector<Foam::surfaceImpactStatistics::result>&
-Foam::surfaceImpactStatistics::results()
+Foam::surfaceImpactStatistics::allResults()
 {
     static const std::vector<result> all
     ({
-        {"intensity", NUMBER, false, false, inv(dimArea*dimTime)},
-        {"firstIntensity", FIRST, false, false, inv(dimArea*dimTime)},
-        {"meanNormalSpeed", NORMAL_SPEED, true, false, dimVelocity},
-        {"specificPower", LOST, false, true, dimPower/dimArea},
+        {"intensity", NUMBER, false, false, inv(dimArea*dimTime), nullptr},
+        {"firstIntensity", FIRST, false, false, inv(dimArea*dimTime), nullptr},
+        {"meanNormalSpeed", NORMAL_SPEED, true, false, dimVelocity, nullptr},
+        {"specificPower", LOST, false, true, dimPower/dimArea, nullptr},
         {
             "specificPowerTranslational", LOST_TRANSLATIONAL, false, true,
-            dimPower/dimArea
+            dimPower/dimArea, nullptr
         },
-        {"impactAngle", ANGLE, true, false, dimless},
-        {"massFlux", MASS, false, false, dimMass/dimArea/dimTime},
+        {"impactAngle", ANGLE, true, false, dimless, nullptr},
         {
-            "specificPowerIncident", INCIDENT, false, false, dimPower/dimArea
+            "massFlux", MASS, false, false, dimMass/dimArea/dimTime, nullptr
         },
-        {"capturedMassFlux", CAPTURED, false, true, dimMass/dimArea/dimTime},
-        {"erosionRate", EROSION, false, false, dimVelocity}
+        {
+            "specificPowerIncident", INCIDENT, false, false,
+            dimPower/dimArea, nullptr
+        },
+        {
+            "capturedMassFlux", CAPTURED, false, true,
+            dimMass/dimArea/dimTime, nullptr
+        },
+        {"erosionRate", EROSION, false, false, dimVelocity, "erosion"},
+        {
+            "specificHeatIncident", HEAT_INCIDENT, false, false,
+            dimPower/dimArea, "heat"
+        },
+        {"heatFlux", HEAT, false, true, dimPower/dimArea, "heat"}
     });
     return all;
 }
@@ -88,7 +99,7 @@ Foam::scalar Foam::surfaceImpactStatistics::largestError() const
     {
         for (const label i : stop_->results)
         {
-            const result& r = results()[i];
+            const result& r = results_[i];
             const auto e = estimate(*bins_, item, r, areas_[item]);
             if (!known(*bins_, item, r) || e.error < 0 || e.value == 0)
             {
@@ -145,7 +156,7 @@ void Foam::surfaceImpactStatistics::writeTable
 
     // Five results, the parcels, their errors; then each with its error
     const label nLeading = 5;
-    const std::vector<result>& all = results();
+    const std::vector<result>& all = results_;
     os  << firstColumn.c_str();
     for (label i = 0; i < nLeading; ++i)
     {
@@ -218,6 +229,33 @@ void Foam::surfaceImpactStatistics::writeTable
 }
 
 
+Foam::volScalarField& Foam::surfaceImpactStatistics::makeField
+(
+    const word& name,
+    const dimensionSet& dimensions
+)
+{
+    fields_.append
+    (
+        new volScalarField
+        (
+            IOobject
+            (
+                cloudName_ + ":" + functionName_ + ":" + name,
+                mesh_.time().timeName(),
+                mesh_,
+                IOobject::NO_READ,
+                IOobject::AUTO_WRITE
+            ),
+            mesh_,
+            dimensionedScalar(dimensions, Zero),
+            calculatedFvPatchScalarField::typeName
+        )
+    );
+    return fields_.last();
+}
+
+
 void Foam::surfaceImpactStatistics::makeFields()
 {
     // Results that need the rebound where no patch tells it are left out
@@ -232,7 +270,7 @@ void Foam::surfaceImpactStatistics::makeFields()
     fields_.clear();
     for (label i = 0; i < nResults(); ++i)
     {
-        const result& r = results()[i];
+        const result& r = results_[i];
         if (r.needsRebound && !reboundKnown)
         {
             continue;
@@ -243,29 +281,8 @@ void Foam::surfaceImpactStatistics::makeFields()
             {
                 continue;
             }
-            const word name
-            (
-                cloudName_ + ":" + functionName_ + ":" + r.name
-              + (error ? "Error" : "")
-            );
-            fields_.append
-            (
-                new volScalarField
-                (
-                    IOobject
-                    (
-                        name,
-                        mesh_.time().timeName(),
-                        mesh_,
-                        IOobject::NO_READ,
-                        IOobject::AUTO_WRITE
-                    ),
-                    mesh_,
-                    dimensionedScalar(r.dimensions, Zero),
-                    calculatedFvPatchScalarField::typeName
-                )
-            );
-            volScalarField& field = fields_.last();
+            volScalarField& field =
+                makeField(word(r.name) + (error ? "Error" : ""), r.dimensions);
             for (const label patchi : patches_)
             {
                 fvPatchScalarField& values = field.boundaryFieldRef()[patchi];
@@ -280,6 +297,22 @@ void Foam::surfaceImpactStatistics::makeFields()
                             estimate(*faces_, item, r, areas[facei]);
                         values[facei] = error ? max(e.error, 0.0) : e.value;
                     }
+                }
+            }
+
+            // The function object wallHeatFlux counts what the gas receives
+            const volScalarField* gas =
+                r.sum == HEAT && !error
+              ? mesh_.findObject<volScalarField>("wallHeatFlux")
+              : nullptr;
+            if (gas)
+            {
+                volScalarField& load = makeField("heatLoad", r.dimensions);
+                for (const label patchi : patches_)
+                {
+                    load.boundaryFieldRef()[patchi] ==
+                        field.boundaryField()[patchi]
+                      - gas->boundaryField()[patchi];
                 }
             }
         }
@@ -375,6 +408,10 @@ Foam::scalarList Foam::surfaceImpactStatistics::settings() const
         s.append(erosion_->volume(1, 1e-4, 100, 0.3));
         s.append(erosion_->volume(1, 1e-4, 50, 0.8));
         s.append(erosion_->volume(1, 2e-4, 100, 1.2));
+    }
+    if (heat_)
+    {
+        s.append(wallTemperature_);
     }
     return s;
 }

@@ -164,6 +164,51 @@ void Foam::surfaceImpactStatistics::setErosion()
 }
 
 
+void Foam::surfaceImpactStatistics::setHeat()
+{
+    const dictionary* heat = findBlock(dict_, "heat");
+    if (heat)
+    {
+        refuseOthers(*heat, {"wallTemperature"});
+        heat_ = true;
+        if (heat->found("wallTemperature"))
+        {
+            wallTemperature_ =
+                getNumber(*heat, "wallTemperature", validRange::temperature);
+        }
+        else if (!mesh_.foundObject<volScalarField>("T"))
+        {
+            FatalIOErrorInFunction(*heat)
+                << "Entry wallTemperature is missing, and there is no field T"
+                << " to take it from" << exit(FatalIOError);
+        }
+    }
+}
+
+
+Foam::scalar Foam::surfaceImpactStatistics::enthalpy
+(
+    const wallImpact& impact
+) const
+{
+    if (!(impact.T > 0 && (impact.material || impact.Cp > 0)))
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entry heat: the parcels of " << cloudName_ << " have no"
+            << " temperature." << nl << "Valid: a spinningKinematicCloud with"
+            << " heatTransfer on, a stock thermo cloud, or no entry heat"
+            << exit(FatalIOError);
+    }
+    return impact.mass*impact.enthalpyAbove
+    (
+        wallTemperature_ > 0
+      ? wallTemperature_
+      : mesh_.lookupObject<volScalarField>("T")
+       .boundaryField()[impact.patch][impact.face]
+    );
+}
+
+
 void Foam::surfaceImpactStatistics::setAreas()
 {
     const label nBins = angle_ ? angle_->size() : 0;
@@ -283,7 +328,7 @@ void Foam::surfaceImpactStatistics::setStop()
     wordList valid;
     for (label i = 0; i < nResults(); ++i)
     {
-        valid.append(results()[i].name);
+        valid.append(results_[i].name);
     }
     DynamicList<label> quantities;
     for
@@ -324,8 +369,11 @@ Foam::surfaceImpactStatistics::surfaceImpactStatistics
     threshold_(getNumber(dict, "threshold", "[0, 3e8) m/s", scalar(1))),
     angle_(),
     erosion_(),
+    heat_(false),
+    wallTemperature_(0),
     nearestBin_(),
     areas_(),
+    results_(),
     nQuantities_(0),
     bins_(),
     faces_(),
@@ -345,10 +393,18 @@ Foam::surfaceImpactStatistics::surfaceImpactStatistics
     setPatches(patches);
     setAngle();
     setErosion();
+    setHeat();
+    for (const result& r : allResults())
+    {
+        if (!r.entry || dict.found(r.entry))
+        {
+            results_.push_back(r);
+        }
+    }
     setAreas();
     setStop();
 
-    nQuantities_ = erosion_ ? EROSION + 1 : EROSION;
+    nQuantities_ = heat_ ? HEAT + 1 : erosion_ ? EROSION + 1 : EROSION;
     label nFaces = 0;
     for (const label patchi : patches_)
     {
@@ -439,7 +495,7 @@ void Foam::surfaceImpactStatistics::take
 
     if (averaging_)
     {
-        double a[EROSION + 1];
+        double a[HEAT + 1];
         const double w = i.nParticle;
         const double mass = w*i.mass;
         a[NUMBER] = w;
@@ -467,6 +523,12 @@ void Foam::surfaceImpactStatistics::take
                   - (i.captured ? 0 : i.rotationalEnergy1)
                 );
             a[CAPTURED] = i.captured ? mass : 0;
+        }
+        a[EROSION] = 0;
+        if (heat_)
+        {
+            a[HEAT_INCIDENT] = w*enthalpy(i);
+            a[HEAT] = a[LOST] + (i.captured ? a[HEAT_INCIDENT] : 0);
         }
         if (erosion_)
         {

@@ -14,7 +14,8 @@ Foam::wallImpacts::wallImpacts(const IOobject& io)
 :
     regIOobject(io),
     listeners_(),
-    published_()
+    published_(),
+    material_(nullptr)
 {}
 
 

@@ -309,6 +309,82 @@ TEST_F(surfaceImpactTest, countsWhatStaysOnTheWall)
 }
 
 
+TEST_F(surfaceImpactTest, addsUpTheHeat)
+{
+    properties("");
+    open();
+    const label plate = mesh_->boundaryMesh().findPatchID("plate");
+    boolList patches(mesh_->boundaryMesh().size(), false);
+    patches[plate] = true;
+    const auto make = [&](const std::string& heat)
+    {
+        const dictionary dict
+        (
+            IStringStream("type surfaceImpact; patches (plate);" + heat)()
+        );
+        return std::make_unique<statistics>
+        (
+            dict, "kinematicCloud", "a", mesh_(), patches
+        );
+    };
+
+    // h = 700 T + 0.15 T^2, melting between 900 and 1000 K
+    const impact::specificHeat material({700, 0.3}, {900, 1000, 4e5});
+    wallImpact i{};
+    i.patch = plate;
+    i.n = vector(0, 1, 0);
+    i.U0 = vector(0, -100, 0);
+    i.U1 = vector(0, 60, 0);
+    i.d = 5e-6;
+    i.mass = mass;
+    i.nParticle = 3;
+    i.T = 1100;
+    i.material = &material;
+    const auto h = [](scalar T){ return 700*T + 0.15*T*T; };
+
+    const auto s = make("heat{wallTemperature 400;}");
+    (*time_)++;
+    s->begin();
+    s->take(i, true, true);
+    wallImpact stays(i);
+    stays.captured = true;
+    stays.origId = 1;
+    stays.T = 500;
+    s->take(stays, true, true);
+    wallImpact stock(i);
+    stock.material = nullptr;
+    stock.Cp = 900;
+    stock.origId = 2;
+    s->take(stock, true, true);
+
+    const scalar w = 3*mass;
+    const scalar kinetic = w*(0.5*(1e4 - 3600)*2 + 0.5*1e4);
+    const scalar stayed = w*(h(500) - h(400));
+    s->end();
+    const auto total = [&](statistics::quantity q)
+    {
+        return sum(*s, q);
+    };
+    EXPECT_NEAR(total(statistics::LOST)/kinetic, 1, 1e-12);
+    EXPECT_NEAR(total(statistics::HEAT)/(kinetic + stayed), 1, 1e-12);
+    EXPECT_NEAR
+    (
+        total(statistics::HEAT_INCIDENT)
+       /(w*(h(1100) + 4e5 - h(400)) + stayed + w*900*700),
+        1,
+        1e-12
+    );
+
+    // Without a temperature, of parcel or wall
+    i.T = 0;
+    s->begin();
+    EXPECT_THROW(s->take(i, true, true), IOerror);
+    EXPECT_THROW(make("heat{}"), IOerror);
+    EXPECT_THROW(make("heat{wallTemperature -1;}"), IOerror);
+    EXPECT_THROW(make("heat{wallTemprature 300;}"), IOerror);
+}
+
+
 TEST_F(surfaceImpactTest, tellsPatchesOfEitherKindApart)
 {
     // Up and to the right: the published plate, then a side without a word

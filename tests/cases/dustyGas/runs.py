@@ -11,7 +11,8 @@ import numpy as np
 
 from caseTools import (complaint, copy_case, decompose, edit,
                        last_fields, must, run, solve, times_of, verdict,
-                       write_foam)
+                       write_block, write_field, write_foam)
+from caseTools import box as corners
 from dust import CP, CP_P, dust_energy, exchange, sealed, state
 
 U0, T0, TD = (300., 20., 0.), 500., 300.
@@ -212,6 +213,68 @@ edit(cold, "system/controlDict", "endTime 4e-05", "endTime 8e-05")
 log = solve(cold)
 verdict("begins_at_T0", without and "begin at T0 300 K: 4" in log,
         "no file T without heat transfer, then T0")
+
+# What grains bring to a wall, beside what the gas brings
+sealed("load", 1e-3, 1e-5, 20, 1e-6, u=(0, 0, 0), v=(0, -300, 0), T=500.,
+       T_dust=900., per_cell=4, number=1.,
+       mode={"mode": "frozen", "viscous": "yes"},
+       change=lambda c: c.replace("coupled yes", "coupled no").replace(
+           "standardWall", "hardSphereWall").replace(
+           "WallInteraction;", "Wall;").replace(
+           "WallInteractionCoeffs { type rebound; e 1; mu 0; }",
+           "WallCoeffs { patches (\"y.*\" { type rebound; restitution 0.5;"
+           " friction 0.1; }); }").replace(
+           "cloudFunctions {}", "cloudFunctions { hits { type surfaceImpact;"
+           " patches (yMin); heat { wallTemperature 400; } } }"))
+L = 2e-3
+write_block("load", corners((L, L, L/2)), (2, 2, 1),
+            {"xMin": "cyclic", "xMax": "cyclic", "yMin": "wall",
+             "yMax": "wall"})
+must("load", "blockMesh")
+sides = {"xMin": "type cyclic;", "xMax": "type cyclic;",
+         "zMin": "type empty;", "zMax": "type empty;"}
+for field, value, wall in (("p", 1e5, "zeroGradient"),
+                           ("T", 500, "fixedValue; value uniform 400"),
+                           ("U", (0, 0, 0), "noSlip")):
+    write_field("load", field, value, {
+        **sides, "yMin": f"type {wall};", "yMax": f"type {wall};"})
+with open("load/system/controlDict", "a") as file:
+    file.write("functions { heat { type wallHeatFlux; libs"
+               " (fieldFunctionObjects); writeControl writeTime; } }\n")
+edit("load", "system/controlDict", "libs (spinningParcel)",
+     "libs (spinningParcel parcelWallInteraction)")
+log = solve("load")
+time = times_of("load")[-1]
+
+
+def on_wall(name):
+    """The value on yMin, where it is the same everywhere."""
+    with open(f"load/{time}/{name}", "rb") as file:
+        text = file.read()
+    part = text[text.index(b"yMin"):]
+    head = re.search(rb"value\s+(uniform\s+([^;]+);|nonuniform List<scalar>"
+                     rb"\s+(\d+)\s*\()", part)
+    if head.group(2):
+        return float(head.group(2))
+    values = np.frombuffer(part, float, int(head.group(3)), head.end())
+    return values.mean()
+
+
+heat, power, incident, load, gas = (
+    on_wall(n) for n in ("sand:hits:heatFlux", "sand:hits:specificPower",
+                         "sand:hits:specificHeatIncident",
+                         "sand:hits:heatLoad", "wallHeatFlux"))
+mass = float(re.findall(r"impacts of particles, their mass = \S+, (\S+)",
+                        log)[-1])
+expected = mass*CP_P*500/(L*L/2*2e-5)
+conduction = 1.458e-6*np.sqrt(500)/(1 + 110.4/500)*CP/0.7*100/(L/4)
+verdict("heat_load", mass > 0 and abs(heat/power - 1) < 1e-12
+        and 0.95 < incident/expected < 1
+        and abs(load - (heat - gas)) < 1e-9*load
+        and 0.7 < -gas/conduction < 1.3,
+        "grains lose %.4g W/m2 and bring %.4g (%.4g if they did not cool on"
+        " their way), the gas gives %.4g: load %.6g" % (
+            heat, incident, expected, -gas, load))
 
 # Bad input: words that the message must have
 for name, old, new, words in (
