@@ -420,8 +420,10 @@ void Foam::gasEquations::setSources
 )
 {
     source_.assign(rate.size(), 0);
+    sourcePressure_.resize(geometry_.nCells());
     for (label c = 0; c < geometry_.nCells(); c++)
     {
+        sourcePressure_[c] = primitive[c*nVar_];
         double* s = &source_[c*nVar_];
         s[1] = power[c];
         for (int d = 0; d < geometry_.nDim(); d++)
@@ -506,7 +508,14 @@ void Foam::gasEquations::computeRate()
     }
     else
     {
-        rate = source_;
+        for (label c = 0; c < geometry_.nCells(); c++)
+        {
+            const double share = sourceShare(c);
+            for (int k = 0; k < nVar_; k++)
+            {
+                rate[c*nVar_ + k] = share*source_[c*nVar_ + k];
+            }
+        }
     }
 
     if (anyTroubled_)

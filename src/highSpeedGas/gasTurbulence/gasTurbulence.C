@@ -31,6 +31,25 @@ Foam::gasTurbulence::gasTurbulence
     );
     if (!isPresent<IOdictionary>(io))
     {
+        // Without a turbulence model the stock function takes the diffusivity
+        // of enthalpy for that of whatever energy the thermo has
+        const dictionary& control = rho.time().controlDict();
+        for (const entry& e : control.subOrEmptyDict("functions"))
+        {
+            if
+            (
+                e.isDict() && thermo.he().name() == "e"
+             && e.dict().getOrDefault<word>("type", "") == "wallHeatFlux"
+            )
+            {
+                FatalIOErrorInFunction(e.dict())
+                    << "Function object " << e.keyword() << " of type"
+                    << " wallHeatFlux needs a turbulence model, or it takes"
+                    << " the heat flux for smaller than it is, by Cv/Cp." << nl
+                    << "Add constant/turbulenceProperties with 'simulationType"
+                    << " laminar;'" << exit(FatalIOError);
+            }
+        }
         return;
     }
 

@@ -92,7 +92,7 @@ Foam::steadyFeedback::steadyFeedback
     );
     delay_ = getNumber<scalar>(dict, "delay", "[0, 1e9] s");
     window_ = getNumber<scalar>(dict, "window", "(0, 1e9] s");
-    relaxation_ = getNumber(dict, "relaxation", "(0, 1]", scalar(0.7));
+    relaxation_ = getNumber(dict, "relaxation", "(0, 1]", scalar(0.5));
     tolerance_ = getNumber(dict, "tolerance", "(0, 1)", scalar(1e-3));
     maxRounds_ = getNumber<label>(dict, "maxRounds", validRange::count, 50);
 
@@ -186,6 +186,15 @@ void Foam::steadyFeedback::compare(const std::vector<double>& before)
     {
         reduce(sum, sumOp<scalar>());
     }
+
+    // What the gas has felt
+    forAll(power_, celli)
+    {
+        const scalar share = equations_.sourceShare(celli);
+        force_[celli] *= share;
+        power_[celli] *= share;
+    }
+    equations_.setSources(force_.field(), power_.field());
 
     scalar largest = 0;
     Info<< "Gas: in round " << round_ << " p, T, U have changed by";

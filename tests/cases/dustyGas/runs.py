@@ -243,6 +243,11 @@ with open("load/system/controlDict", "a") as file:
                " (fieldFunctionObjects); writeControl writeTime; } }\n")
 edit("load", "system/controlDict", "libs (spinningParcel)",
      "libs (spinningParcel parcelWallInteraction)")
+status, text = run("load", "rhoCentralParcelFoam")
+verdict("refuses_wallHeatFlux_without_model", status != 0 and all(
+    w in text for w in ("heat of type wallHeatFlux", "simulationType laminar")),
+        complaint(text))
+write_foam("load", "constant/turbulenceProperties", "simulationType laminar;")
 log = solve("load")
 time = times_of("load")[-1]
 
@@ -267,11 +272,12 @@ heat, power, incident, load, gas = (
 mass = float(re.findall(r"impacts of particles, their mass = \S+, (\S+)",
                         log)[-1])
 expected = mass*CP_P*500/(L*L/2*2e-5)
-conduction = 1.458e-6*np.sqrt(500)/(1 + 110.4/500)*CP/0.7*100/(L/4)
+# With the viscosity of the gas, which is less at the wall
+conduction = 1.458e-6*np.sqrt(500)/(1 + 110.4/500)*CP/0.69*100/(L/4)
 verdict("heat_load", mass > 0 and abs(heat/power - 1) < 1e-12
         and 0.95 < incident/expected < 1
         and abs(load - (heat - gas)) < 1e-9*load
-        and 0.7 < -gas/conduction < 1.3,
+        and 0.8 < -gas/conduction < 1,
         "grains lose %.4g W/m2 and bring %.4g (%.4g if they did not cool on"
         " their way), the gas gives %.4g: load %.6g" % (
             heat, incident, expected, -gas, load))
