@@ -165,18 +165,32 @@ Foam::autoPtr<Foam::parcelCloudModel> Foam::parcelCloudModel::New
     {
         findLibraries(properties);
     }
-    const bool collides = type == "basicKinematicCollidingCloud";
-    if (collides || type == "basicKinematicCloud")
+    // Beside those of the basicKinematicCloud: entries of constantProperties
+    // and subModels
+    static const HashTable<Pair<wordList>> stock
+    ({
+        {"basicKinematicCloud", {{}, {}}},
+        {"basicKinematicCollidingCloud", {{}, {"collisionModel"}}},
+        {
+            "basicThermoCloud",
+            {
+                {"T0", "TMin", "TMax", "Cp0", "epsilon0", "f0"},
+                {"heatTransferModel"}
+            }
+        }
+    });
+    if (stock.found(type))
     {
         stockCloudEntries::checkSolution(properties.subDict("solution"), {});
         stockCloudEntries::checkProperties
         (
-            properties.subOrEmptyDict("constantProperties"), {}
+            properties.subOrEmptyDict("constantProperties"),
+            stock[type].first()
         );
         stockCloudEntries::checkModels
         (
             properties.subOrEmptyDict("subModels"),
-            collides ? wordList{"collisionModel"} : wordList{}
+            stock[type].second()
         );
     }
 

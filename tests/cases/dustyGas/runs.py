@@ -9,11 +9,11 @@ import re
 
 import numpy as np
 
-from caseTools import (complaint, copy_case, decompose, edit,
+from caseTools import (GAMMA, binary_list, complaint, copy_case, decompose, edit,
                        last_fields, must, run, solve, times_of, verdict,
                        write_block, write_field, write_foam)
 from caseTools import box as corners
-from dust import CP, CP_P, dust_energy, exchange, sealed, state
+from dust import (CP, CP_P, dust_energy, exchange, prandtl, sealed, state)
 
 U0, T0, TD = (300., 20., 0.), 500., 300.
 VOLUME = 4e-9
@@ -213,6 +213,51 @@ edit(cold, "system/controlDict", "endTime 4e-05", "endTime 8e-05")
 log = solve(cold)
 verdict("begins_at_T0", without and "begin at T0 300 K: 4" in log,
         "no file T without heat transfer, then T0")
+
+# Stock parcels with a temperature, which keep no account of energy
+def stock(cloud):
+    for old, new in (
+            ("spinningKinematicCloud", "basicThermoCloud"),
+            ("coupled yes", "coupled no"), ("heatTransfer on;", ""),
+            ("rotation off;", "maxCo 0.3;"),
+            ("motion { type embeddedRK54; tolerance 1e-09; }", ""),
+            ("{ U cellLinear; }", "{ rho cell; U cell; thermo:mu cell; T cell;"
+             " Cp cell; kappa cell; p cell; }"),
+            ("{ U Euler; }", "{ U Euler; T analytical; }"),
+            ("sourceTerms { schemes { U explicit 1; } }", ""),
+            ("Cp0 800;", "Cp0 800; epsilon0 1; f0 0.5;"),
+            ("heatTransferModel ranzMarshall;", "radiation off;"
+             " heatTransferModel RanzMarshall;"
+             " RanzMarshallCoeffs { BirdCorrection off; }")):
+        if old not in cloud:
+            raise RuntimeError(old)
+        cloud = cloud.replace(old, new)
+    return cloud
+
+
+sealed("stock", 0.1, 2e-5, 30, 1e-5, u=(0, 0, 0), T=500., T_dust=490.,
+       mode={"mode": "frozen"}, change=stock)
+solve("stock")
+time = times_of("stock")[-1]
+found = binary_list(f"stock/{time}/lagrangian/sand/T", 1)
+kappa = 1.458e-6*np.sqrt(500)/(1 + 110.4/500)*CP/prandtl(CP - CP/GAMMA)
+left = 10*np.exp(-6*2*kappa/(2500*(2e-5)**2*CP_P)*3e-4)
+verdict("stock_thermo_cloud", 1 < left < 9 and np.all(
+    np.abs((500 - found)/left - 1) < 0.02),
+        "temperature of the gas less that of the grains %.4f K, by the"
+        " relaxation %.4f" % (500 - found.mean(), left))
+for name, old, new, words in (
+        ("coupledStock", "coupled no", "coupled yes",
+         ["coupled yes", "no account of the energy"]),
+        ("radiatingStock", "radiation off", "radiation on",
+         ["radiation on", "off"]),
+        ("misspeltStock", "f0 0.5", "f00 0.5", ["Unknown entry f00", "f0"])):
+    case = copy_case("stock", "bad")
+    edit(case, "constant/sandProperties", old, new)
+    status, text = run(case, "rhoCentralParcelFoam")
+    verdict("refuses_" + name, status != 0 and all(w in text for w in words),
+            complaint(text))
+    must(".", "rm", "-rf", case)
 
 # What grains bring to a wall, beside what the gas brings
 sealed("load", 1e-3, 1e-5, 20, 1e-6, u=(0, 0, 0), v=(0, -300, 0), T=500.,
