@@ -43,6 +43,7 @@ void Foam::steadyFeedback::store()
 {
     dictionary& d = state_.subDictOrAdd("feedback");
     d.set("round", round_);
+    d.set("share", share_);
     d.set("nSteps", nSteps_);
     d.set("deltaT", equations_.mesh().time().deltaTValue());
     d.set("rests", rests_);
@@ -82,6 +83,20 @@ Foam::steadyFeedback::steadyFeedback
         equations.mesh(),
         dimensionedScalar(dimPower*dimTime, Zero)
     ),
+    forceChange_
+    (
+        sourceField(equations.mesh(), "particleForceChange"),
+        equations.mesh(),
+        dimensionedVector(dimForce, Zero)
+    ),
+    powerChange_
+    (
+        sourceField(equations.mesh(), "particlePowerChange"),
+        equations.mesh(),
+        dimensionedScalar(dimPower, Zero)
+    ),
+    share_(0),
+    newSources_(GREAT),
     round_(0),
     nSteps_(0),
     rests_(false)
@@ -92,12 +107,13 @@ Foam::steadyFeedback::steadyFeedback
     );
     delay_ = getNumber<scalar>(dict, "delay", "[0, 1e9] s");
     window_ = getNumber<scalar>(dict, "window", "(0, 1e9] s");
-    relaxation_ = getNumber(dict, "relaxation", "(0, 1]", scalar(0.5));
+    relaxation_ = getNumber(dict, "relaxation", "(0, 1]", scalar(1));
     tolerance_ = getNumber(dict, "tolerance", "(0, 1)", scalar(1e-3));
     maxRounds_ = getNumber<label>(dict, "maxRounds", validRange::count, 50);
 
     const dictionary& old = state.subOrEmptyDict("feedback");
     round_ = old.getOrDefault<label>("round", 0);
+    share_ = old.getOrDefault<scalar>("share", min(relaxation_, firstShare));
     nSteps_ = old.getOrDefault<label>("nSteps", 0);
     rests_ = old.getOrDefault("rests", false);
     const scalar dt = equations_.mesh().time().deltaTValue();
@@ -119,34 +135,72 @@ bool Foam::steadyFeedback::roundEnds() const
 }
 
 
-void Foam::steadyFeedback::endRound()
+void Foam::steadyFeedback::setShare
+(
+    const vectorField& forceChange,
+    const scalarField& powerChange
+)
 {
-    const scalar share =
-        relaxation_
-       /(equations_.mesh().time().deltaTValue()*(roundSteps() - delaySteps()));
-
-    // How much of the sources is new
-    FixedList<scalar, 4> sums(Zero);
-    forAll(power_, celli)
+    if (round_ == 0)
     {
-        const vector dF(share*momentum_[celli] - relaxation_*force_[celli]);
-        const scalar dP(share*energy_[celli] - relaxation_*power_[celli]);
-        force_[celli] += dF;
-        power_[celli] += dP;
-        sums[0] += mag(dF)/relaxation_;
-        sums[1] += mag(dP)/relaxation_;
-        sums[2] += mag(force_[celli]);
-        sums[3] += mag(power_[celli]);
+        share_ = min(relaxation_, firstShare);
+        return;
+    }
+
+    // Aitken: if the change falls as that of one mode, the share that would
+    // have ended it
+    FixedList<scalar, 6> sums(Zero);
+    forAll(powerChange, c)
+    {
+        const vector dF(forceChange[c] - forceChange_[c]);
+        const scalar dP = powerChange[c] - powerChange_[c];
+        sums[0] += forceChange_[c] & dF;
+        sums[1] += magSqr(dF);
+        sums[2] += powerChange_[c]*dP;
+        sums[3] += sqr(dP);
+        sums[4] += magSqr(force_[c] + forceChange[c]);
+        sums[5] += sqr(power_[c] + powerChange[c]);
     }
     for (scalar& sum : sums)
     {
         reduce(sum, sumOp<scalar>());
     }
+    const scalar F = 1/max(sums[4], VSMALL);
+    const scalar P = 1/max(sums[5], VSMALL);
+    const scalar along = F*sums[0] + P*sums[2];
+    const scalar size = F*sums[1] + P*sums[3];
+    const scalar ideal = size > VSMALL ? -share_*along/size : relaxation_;
+
+    // In digits that a file keeps
+    const scalar most = min(relaxation_, 2*share_);
+    share_ = 1e-3*std::round
+    (
+        1e3*max(min(ideal, most), min(0.5*share_, most))
+    );
+    share_ = max(share_, min(relaxation_, leastShare));
+}
+
+
+void Foam::steadyFeedback::endRound()
+{
+    const scalar perTime =
+        1/(equations_.mesh().time().deltaTValue()*(roundSteps() - delaySteps()));
+    const vectorField dF(perTime*momentum_.field() - force_.field());
+    const scalarField dP(perTime*energy_.field() - power_.field());
+    setShare(dF, dP);
+    forceChange_.field() = dF;
+    powerChange_.field() = dP;
+    force_.field() += share_*dF;
+    power_.field() += share_*dP;
+
+    const scalar F = max(gSum(mag(force_.field())), VSMALL);
+    const scalar P = max(gSum(mag(power_.field())), VSMALL);
+    newSources_ = max(mag(gSum(dF))/F, mag(gSum(dP))/P);
     Info<< "Gas: round " << round_ + 1 << " of the particles ends: they give "
         << gSum(force_.field()) << " N and " << gSum(power_.field())
-        << " W; new in force and power, cell by cell: "
-        << sums[0]/max(sums[2], VSMALL) << ", " << sums[1]/max(sums[3], VSMALL)
-        << endl;
+        << " W; new in both " << mag(gSum(dF))/F << ", " << mag(gSum(dP))/P
+        << ", cell by cell " << gSum(mag(dF)())/F << ", "
+        << gSum(mag(dP)())/P << ", of which " << share_ << " is taken" << endl;
 
     momentum_.field() = Zero;
     energy_.field() = 0;
@@ -200,19 +254,19 @@ void Foam::steadyFeedback::compare(const std::vector<double>& before)
     Info<< "Gas: in round " << round_ << " p, T, U have changed by";
     for (int k = 0; k < 3; k++)
     {
-        const scalar change = sums[k]/max(relaxation_*sums[3 + k], VSMALL);
+        const scalar change = sums[k]/max(share_*sums[3 + k], VSMALL);
         largest = max(largest, change);
         Info<< ' ' << change;
     }
-    rests_ = largest <= tolerance_;
+    rests_ = largest <= tolerance_ && newSources_ <= tolerance_;
     Info<< (rests_ ? ": gas and particles rest" : "") << endl;
     if (!rests_ && round_ == maxRounds_)
     {
         WarningInFunction
             << "Gas and particles do not rest after " << round_
             << " rounds: in the last one the gas has changed by " << largest
-            << ", tolerance " << tolerance_ << ". A smaller relaxation, a"
-            << " longer window or more parcels may help." << endl;
+            << ", what the particles give by " << newSources_ << ", tolerance " << tolerance_ << ". A longer window, more"
+            << " parcels or a smaller relaxation may help." << endl;
     }
     store();
 }

@@ -160,7 +160,7 @@ def main():
     cells = int(sys.argv[4]) if len(sys.argv) > 4 else 200
     nozzle = Nozzle(M, loading, d)
     name = f"nozzle_{sys.argv[1]}_{sys.argv[2]}_{sys.argv[3]}"
-    passage = write(name, nozzle, d, cells, 15)
+    passage = write(name, nozzle, d, cells, 30)
     log = solve(name)
     x = (np.arange(cells) + 0.5)*LENGTH/cells
     rho, U, T = last_fields(name, "rho U T")
@@ -186,7 +186,7 @@ def main():
             and abs(power/exact[1] - 1) < 0.01 and abs(balance) < 1e-8,
             "rests in round %s; force %.5g N/m, by the equations %.5g; power"
             " %.5g W/m, by the equations %.5g; of the total enthalpy out of"
-            " balance %.1e" % (rests[-1:], force[0], exact[0], power,
+            " balance %.1e" % ((rests or ["none"])[-1], force[0], exact[0], power,
                                exact[1], balance))
 
     if len(sys.argv) <= 5:
@@ -199,9 +199,9 @@ def main():
     for case in (straight, half, ranks):
         for time in times_of(case)[1:]:
             must(case, "rm", "-rf", time)
-        edit(case, "system/controlDict", f"endTime {15*passage}",
+        edit(case, "system/controlDict", f"endTime {30*passage}",
              f"endTime {end}")
-        edit(case, "system/controlDict", f"writeInterval {15*passage}",
+        edit(case, "system/controlDict", f"writeInterval {30*passage}",
              f"writeInterval {end}")
     log = solve(straight)
     verdict("unfinished_is_said", "The run has ended in round 2" in log,
