@@ -10,7 +10,8 @@ Description
     steady state of the gas (highSpeedGas) on the mesh as it is, moves the
     outer boundary and a band of small cells to the shock that it finds there
     (shockAlignment), and so on until the shock rests. Run it once between
-    blockMesh and rhoCentralParcelFoam, or decomposePar:
+    blockMesh and rhoCentralParcelFoam, or decomposePar (on one rank: it is
+    refused on more):
 
         alignMeshToShock [-dict FILE]
 
@@ -78,13 +79,20 @@ int main(int argc, char* argv[])
     (
         "Move the layers around a body to the bow shock before it"
     );
-    argList::noParallel();
     argList::addOption
     (
         "dict", "file", "Other dictionary than system/alignMeshToShockDict"
     );
 
     #include "setRootCase.H"
+    if (Pstream::parRun())
+    {
+        FatalErrorInFunction
+            << "alignMeshToShock moves the points of the whole mesh, on one"
+            << " rank." << nl
+            << "Run it without -parallel before decomposePar, which takes the"
+            << " moved mesh and the fields along" << exit(FatalError);
+    }
     foamCompat::printRelease();
     #include "createTime.H"
     #include "createMesh.H"
@@ -115,6 +123,7 @@ int main(int argc, char* argv[])
     shockAlignment alignment(mesh, dict.valid() ? *dict : dictionary());
     highSpeedGas gas(mesh);
     gas.align(alignment);
+    gas.info();
 
     // What is written is what was found, to the last digit
     IOstream::defaultPrecision(17);

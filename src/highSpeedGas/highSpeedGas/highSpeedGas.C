@@ -491,6 +491,8 @@ void Foam::highSpeedGas::align(shockAlignment& alignment)
 
     alignment.checkInflow(U_, sqrt(thermo_->gamma()/thermo_->psi()));
 
+    const scalar start = mesh_.time().elapsedCpuTime();
+
     // The shock stands long before the last cell is at rest
     const scalar residual = max(residual_, 1e-4);
     const sigFpe::ignore untrapped;
@@ -509,6 +511,8 @@ void Foam::highSpeedGas::align(shockAlignment& alignment)
     alignment.report();
     findSteadyState(residual_, true);
     publish();
+
+    cpuTime_ += mesh_.time().elapsedCpuTime() - start;
 }
 
 

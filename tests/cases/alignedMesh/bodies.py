@@ -183,5 +183,13 @@ refused("between", "stands between two faces of the body",
         dictionary="body (body inlet);")
 refused("few", "The mesh has 6 layers", cells=(6, 8))
 refused("subsonic", "There is no shock before the body", M=0.3)
+refused("nowhere", "There is no shock before face",
+        gas={"maxIterations": 1})
 refused("transient", "Set 'mode steady;'", gas={"mode": "transient"})
 refused("parcels", "There are parcels at time 0", edits=parcels)
+decompose("parcels")
+status, text = run("parcels", "mpirun", "--oversubscribe", "-np", "2",
+                   "alignMeshToShock", "-parallel")
+verdict("refused_ranks",
+        status != 0 and "Run it without -parallel before decomposePar" in text,
+        complaint(text))

@@ -68,6 +68,7 @@ EXACT = 0.929
 case = "cylinder"
 shutil.copytree(os.path.join(case, "0.orig"), os.path.join(case, "0"))
 must(case, "blockMesh")
+must(case, "alignMeshToShock")
 write_foam(case, "constant/parcelClouds", "clouds ();")
 write_foam(case, "system/part", "endTime 1e-6; writeInterval 1e-6;")
 with open(os.path.join(case, "system/controlDict")) as file:
@@ -87,7 +88,7 @@ for cloud in clouds:
         case, cloud, "embedded" if embedded else "stock",
         "cellLinear" if cloud == "embeddedLinear"
         else "cellPoint" if embedded else cloud,
-        "start (-0.0510 3e-6 0); end (-0.0510 2.4e-5 0); nParcels 8;"
+        "start (-0.0465 3e-6 0); end (-0.0465 2.4e-5 0); nParcels 8;"
         " diameter 2e-6; U0 (1797.172554 0 0);", "cylinder")
 write_foam(case, "constant/parcelClouds", f"clouds ({' '.join(clouds)});")
 solve(case)
