@@ -446,7 +446,7 @@ void Foam::highSpeedGas::publish(const bool asWritten)
 }
 
 
-void Foam::highSpeedGas::findSteadyState
+bool Foam::highSpeedGas::findSteadyState
 (
     const scalar residual,
     const bool near
@@ -457,9 +457,10 @@ void Foam::highSpeedGas::findSteadyState
         *equations_,
         {implicit_, stages_, maxCo_, residual, maxIterations_, reportEvery_}
     );
-    solution.solve(near);
+    const bool steady = solution.solve(near);
     state_.set("imbalance", solution.imbalance().value());
     state_.set("iterations", solution.iterations());
+    return steady;
 }
 
 
@@ -581,8 +582,8 @@ bool Foam::highSpeedGas::solve()
             {
                 const std::vector<double> before(equations_->primitive);
                 feedback_->endRound();
-                findSteadyState(residual_, true);
-                feedback_->compare(before);
+                const bool steady = findSteadyState(residual_, true);
+                feedback_->compare(before, steady);
             }
             else
             {

@@ -210,7 +210,11 @@ void Foam::steadyFeedback::endRound()
 }
 
 
-void Foam::steadyFeedback::compare(const std::vector<double>& before)
+void Foam::steadyFeedback::compare
+(
+    const std::vector<double>& before,
+    const bool steady
+)
 {
     // Of p, T and U: change and size
     FixedList<scalar, 6> sums(Zero);
@@ -258,15 +262,18 @@ void Foam::steadyFeedback::compare(const std::vector<double>& before)
         largest = max(largest, change);
         Info<< ' ' << change;
     }
-    rests_ = largest <= tolerance_ && newSources_ <= tolerance_;
+    rests_ = steady && largest <= tolerance_ && newSources_ <= tolerance_;
     Info<< (rests_ ? ": gas and particles rest" : "") << endl;
     if (!rests_ && round_ == maxRounds_)
     {
         WarningInFunction
             << "Gas and particles do not rest after " << round_
             << " rounds: in the last one the gas has changed by " << largest
-            << ", what the particles give by " << newSources_ << ", tolerance " << tolerance_ << ". A longer window, more"
-            << " parcels or a smaller relaxation may help." << endl;
+            << ", what the particles give by " << newSources_
+            << ", tolerance " << tolerance_
+            << (steady ? "" : ", and the gas is not steady")
+            << ". A longer window, more parcels or a smaller relaxation may"
+            << " help." << endl;
     }
     store();
 }
