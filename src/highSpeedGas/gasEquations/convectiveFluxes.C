@@ -190,6 +190,7 @@ inline void Foam::gasEquations::turnedToFace
 (
     const label f,
     const int cell,
+    const double* line,
     double* q,
     double* slope
 ) const
@@ -205,7 +206,7 @@ inline void Foam::gasEquations::turnedToFace
     {
         along += q[2 + d]*axis[d];
         slopeAlong += slope[2 + d]*axis[d];
-        outward += 2*geometry_.delta[f*nDim + d]*away[d];
+        outward += 2*line[d]*away[d];
     }
     for (int d = 0; d < nDim; d++)
     {
@@ -250,19 +251,21 @@ void Foam::gasEquations::innerFluxes()
             const double* go = g + o*(nVar*nDim);
             const double* gr = g + r*(nVar*nDim);
             const double* delta = &geometry_.delta[f*nDim];
+            const double* ao = &geometry_.alongOwner[f*nDim];
+            const double* ar = &geometry_.alongFar[f*nDim];
             double so[nVar];
             double sr[nVar];
             for (int k = 0; k < nVar; k++)
             {
-                so[k] = 2*delta[0]*go[k];
-                sr[k] = 2*delta[0]*gr[k];
+                so[k] = 2*ao[0]*go[k];
+                sr[k] = 2*ar[0]*gr[k];
             }
             for (int d = 1; d < nDim; d++)
             {
                 for (int k = 0; k < nVar; k++)
                 {
-                    so[k] += 2*delta[d]*go[d*nVar + k];
-                    sr[k] += 2*delta[d]*gr[d*nVar + k];
+                    so[k] += 2*ao[d]*go[d*nVar + k];
+                    sr[k] += 2*ar[d]*gr[d*nVar + k];
                 }
             }
             double own[nVar];
@@ -271,8 +274,8 @@ void Foam::gasEquations::innerFluxes()
             std::copy(qr, qr + nVar, other);
             if (!geometry_.axis.empty())
             {
-                turnedToFace<nDim>(f, o, own, so);
-                turnedToFace<nDim>(f, r, other, sr);
+                turnedToFace<nDim>(f, o, ao, own, so);
+                turnedToFace<nDim>(f, r, ar, other, sr);
             }
             for (int k = 0; k < nVar; k++)
             {
