@@ -30,6 +30,10 @@ int main(int argc, char* argv[])
     foamCompat::printRelease();
     completeWrite::setAsideUnfinished(args);
     #include "createTime.H"
+
+    // Digits of the log, whatever those of the files are
+    Sout.precision(6);
+
     completeWrite::checkStart(runTime);
     #include "createMesh.H"
 

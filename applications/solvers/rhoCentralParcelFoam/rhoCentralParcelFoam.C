@@ -32,6 +32,10 @@ int main(int argc, char* argv[])
     foamCompat::printRelease();
     completeWrite::setAsideUnfinished(args);
     #include "createTime.H"
+
+    // Digits of the log, whatever those of the files are
+    Sout.precision(6);
+
     completeWrite::checkStart(runTime);
     #include "createMesh.H"
 
@@ -83,8 +87,6 @@ int main(int argc, char* argv[])
         progress.report();
     }
 
-    // Digits enough for times, whatever those of the files are
-    Sout.precision(6);
     gas.info();
     clouds.info();
     Info<< "End" << nl << endl;

@@ -95,6 +95,10 @@ int main(int argc, char* argv[])
     }
     foamCompat::printRelease();
     #include "createTime.H"
+
+    // Digits of the log, whatever those of the files are
+    Sout.precision(6);
+
     #include "createMesh.H"
 
     if (isDir(runTime.timePath()/cloud::prefix))

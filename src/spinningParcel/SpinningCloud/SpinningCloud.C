@@ -473,11 +473,15 @@ void Foam::SpinningCloud<CloudType>::info()
         }
         const scalar mass =
             returnReduce(this->massInSystem(), sumOp<scalar>());
+
+        // An account closes to round-off with all its digits only
+        const int digits = Sout.precision(IOstream::defaultPrecision());
         Info<< "    Mean temperature                = "
             << heats[3]/max(mass, VSMALL) << nl
             << "    Enthalpy                        = " << heats[2] << nl
             << "    Heat from the gas, radiated     = " << heats[0] << ", "
             << heats[1] << nl;
+        Sout.precision(digits);
     }
     if (collisions_.valid())
     {
