@@ -147,29 +147,37 @@ void Foam::steadyFeedback::setShare
         return;
     }
 
-    // Aitken: if the change falls as that of one mode, the share that would
-    // have ended it
-    FixedList<scalar, 6> sums(Zero);
+    // If the change falls as that of one mode, the share that would have ended
+    // it: the mean of the longer and the shorter step of Barzilai and Borwein.
+    // The shorter one, Aitken's, vanishes in the noise of the averages, which
+    // lies across the change; the longer one overshoots at the start.
+    FixedList<scalar, 8> sums(Zero);
     forAll(powerChange, c)
     {
-        const vector dF(forceChange[c] - forceChange_[c]);
-        const scalar dP = powerChange[c] - powerChange_[c];
-        sums[0] += forceChange_[c] & dF;
-        sums[1] += magSqr(dF);
-        sums[2] += powerChange_[c]*dP;
-        sums[3] += sqr(dP);
-        sums[4] += magSqr(force_[c] + forceChange[c]);
-        sums[5] += sqr(power_[c] + powerChange[c]);
+        const vector& F = forceChange_[c];
+        const scalar P = powerChange_[c];
+        const vector dF(F - forceChange[c]);
+        const scalar dP = P - powerChange[c];
+        sums[0] += F & dF;
+        sums[1] += magSqr(F);
+        sums[2] += magSqr(dF);
+        sums[3] += P*dP;
+        sums[4] += sqr(P);
+        sums[5] += sqr(dP);
+        sums[6] += magSqr(force_[c] + forceChange[c]);
+        sums[7] += sqr(power_[c] + powerChange[c]);
     }
     for (scalar& sum : sums)
     {
         reduce(sum, sumOp<scalar>());
     }
-    const scalar F = 1/max(sums[4], VSMALL);
-    const scalar P = 1/max(sums[5], VSMALL);
-    const scalar along = F*sums[0] + P*sums[2];
-    const scalar size = F*sums[1] + P*sums[3];
-    const scalar ideal = size > VSMALL ? -share_*along/size : relaxation_;
+    const scalar F = 1/max(sums[6], VSMALL);
+    const scalar P = 1/max(sums[7], VSMALL);
+    const scalar fallen = F*sums[0] + P*sums[3];
+    const scalar before = F*sums[1] + P*sums[4];
+    const scalar size = F*sums[2] + P*sums[5];
+    const scalar ideal =
+        share_*(fallen > 0 && 4*size > before ? std::sqrt(before/size) : 2);
 
     // In digits that a file keeps
     const scalar most = min(relaxation_, 2*share_);
