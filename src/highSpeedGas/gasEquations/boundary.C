@@ -51,6 +51,23 @@ void Foam::gasEquations::setPatches()
         "outletInlet", "uniformFixedValue", "fixedGradient"
     };
 
+    // Conditions whose velocity is the same at all times: of others that are
+    // at rest at the start a restart would know nothing
+    static const wordHashSet constant
+    {
+        "fixedValue", "noSlip", "movingWallVelocity",
+        "translatingWallVelocity", "rotatingWallVelocity", "maxwellSlipU"
+    };
+
+    // Conditions that make the velocity of the flux through their patch
+    static const wordHashSet ofFlux
+    {
+        "pressureInletVelocity", "pressureInletUniformVelocity",
+        "pressureDirectedInletVelocity", "pressureDirectedInletOutletVelocity",
+        "pressureNormalInletOutletVelocity",
+        "pressureInletOutletParSlipVelocity", "fluxCorrectedVelocity"
+    };
+
     // Conditions on the pressure that leave its value at a wall to the gas
     static const wordHashSet leavesPressure
     {
@@ -64,6 +81,7 @@ void Foam::gasEquations::setPatches()
     bool needsStress = false;
     boolList excluded(mesh_.boundary().size(), false);
     frictionless_.setSize(mesh_.boundary().size(), false);
+    ofFlux_.setSize(mesh_.boundary().size(), false);
 
     for (const gasMesh::patchRange& patch : geometry_.patches())
     {
@@ -74,7 +92,9 @@ void Foam::gasEquations::setPatches()
         const bool slip =
             isA<basicSymmetryFvPatchVectorField>(Up) && !patch.image();
 
-        // Whether the condition on U lets no gas through at the start
+        ofFlux_[patchi] = ofFlux.found(Up.type());
+
+        // Whether the condition on U never lets gas through
         // (processor patches differ from rank to rank: no sums over them)
         bool wall = slip;
         if (!patch.coupled)
@@ -83,7 +103,9 @@ void Foam::gasEquations::setPatches()
             const vectorField velocity(Up);
             const scalar through = gSumMag(scalarField(velocity & Sf));
             const scalar along = gSum(scalarField(mag(velocity)*mag(Sf)));
-            wall = slip || (Up.fixesValue() && through <= 1e-6*along);
+            wall =
+                slip
+             || (constant.found(Up.type()) && through <= 1e-6*along);
         }
 
         tight_.push_back(slip || patch.image());
@@ -373,6 +395,28 @@ void Foam::gasEquations::setBoundaryStress()
 }
 
 
+void Foam::gasEquations::evaluateVelocity(const label patchi)
+{
+    fvPatchVectorField& Up = U_.boundaryFieldRef()[patchi];
+    if (!ofFlux_[patchi])
+    {
+        Up.evaluate();
+        return;
+    }
+
+    // The flux through a boundary face is that of the velocity on it: made of
+    // each other the two would stay what they are at the start. The velocity
+    // is made of what the cell brings to the face
+    scalarField& phip = phi_.boundaryFieldRef()[patchi];
+    const scalarField flux(phip);
+    phip =
+        rho_.boundaryField()[patchi]
+       *(Up.patchInternalField() & mesh_.Sf().boundaryField()[patchi]);
+    Up.evaluate();
+    phip = flux;
+}
+
+
 void Foam::gasEquations::correctBoundary()
 {
     volScalarField& p = thermo_.p();
@@ -403,7 +447,7 @@ void Foam::gasEquations::correctBoundary()
             continue;
         }
         const label patchi = patch.patchi;
-        U_.boundaryFieldRef()[patchi].evaluate();
+        evaluateVelocity(patchi);
         T.boundaryFieldRef()[patchi].evaluate();
         p.boundaryFieldRef()[patchi].evaluate();
         rho_.boundaryFieldRef()[patchi] ==

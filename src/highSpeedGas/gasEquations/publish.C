@@ -25,6 +25,13 @@ void Foam::gasEquations::publish(const bool asWritten)
     if (!asWritten)
     {
         U_.correctBoundaryConditions();
+        forAll(ofFlux_, patchi)
+        {
+            if (ofFlux_[patchi])
+            {
+                evaluateVelocity(patchi);
+            }
+        }
         T.correctBoundaryConditions();
         p.correctBoundaryConditions();
         correctBoundary();

@@ -127,6 +127,24 @@ void Foam::gasMesh::setFaces()
         far[f] = farCell;
         area[f] = mag(Sf);
         const vector n = Sf/area[f];
+        for (int d = 0; d < 3; d++)
+        {
+            if
+            (
+                f < nInternal_ && mesh_.solutionD()[d] != 1 && mag(n[d]) > 0.5
+            )
+            {
+                FatalErrorInFunction
+                    << "Between the empty patches there are several layers of"
+                    << " cells: the face between cells at "
+                    << mesh_.cellCentres()[own] << " and "
+                    << mesh_.cellCentres()[own] + toFar << " looks in the"
+                    << " direction in which nothing is solved." << nl
+                    << "Make one layer of cells there, or give the sides"
+                    << " another patch type than empty"
+                    << exit(FatalError);
+            }
+        }
         for (int d = 0; d < nDim_; d++)
         {
             normal[f*nDim_ + d] = n[direction_[d]];

@@ -1,0 +1,205 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
+"""Stock conditions that ask for the flux, at the ends of a duct through which
+a wave goes: beside the stock rhoCentralFoam, restarted, and on two ranks.
+Those that make the velocity of the flux have exact solutions of their own."""
+
+from caseTools import (GAMMA, R_GAS, box, copy_case, decompose, edit,
+                       last_fields, must, run, same_bits, solve, verdict,
+                       write_block, write_case, write_field, write_foam)
+import numpy as np
+
+P, T, U = 1e5, 300.0, 100.0
+CP = GAMMA*R_GAS/(GAMMA - 1)
+T0 = T + U*U/(2*CP)
+P0 = P*(T0/T)**(GAMMA/(GAMMA - 1))
+RHO = P/(R_GAS*T)
+N, END, BUMP = 100, 2e-3, 0.1
+FLUX = RHO*U*1e-4       # through the duct's cross-section [kg/s]
+
+SPEED = f"value uniform ({U} 0 0);"
+GAS = f"psi thermo:psi; gamma {GAMMA};"
+PRESSURE = f"value uniform {P};"
+WARM = f"value uniform {T};"
+ZERO = "type zeroGradient;"
+FIXED = {"p": f"type fixedValue; {PRESSURE}", "T": f"type fixedValue; {WARM}",
+         "U": f"type fixedValue; {SPEED}"}
+RESERVOIR = {"p": f"type totalPressure; p0 uniform {P0!r}; {GAS} {PRESSURE}",
+             "T": f"type totalTemperature; T0 uniform {T0!r}; {GAS} {WARM}"}
+FREE = {
+    "p": f"type freestreamPressure; freestreamValue uniform {P}; {PRESSURE}",
+    "T": f"type freestream; freestreamValue uniform {T}; {WARM}",
+    "U": f"type freestreamVelocity; freestreamValue uniform ({U} 0 0); {SPEED}"}
+IN, OUT = "xMin", "xMax"
+
+# Ends of the duct other than fixed T and U in, fixed p out
+CONDITIONS = {
+    "fixedValue": {},
+    "flowRateInletVelocity": {IN: {
+        "U": f"type flowRateInletVelocity; massFlowRate {FLUX!r};"
+             f" rhoInlet {RHO!r}; {SPEED}"}},
+    "swirlFlowRateInletVelocity": {IN: {
+        "U": f"type swirlFlowRateInletVelocity; flowRate {FLUX!r}; rpm 0;"
+             f" {SPEED}"}},
+    "flowRateOutletVelocity": {
+        IN: {**RESERVOIR,
+             "U": f"type pressureInletOutletVelocity; {SPEED}"},
+        OUT: {"p": ZERO, "U": "type flowRateOutletVelocity; massFlowRate"
+              f" {FLUX!r}; rhoOutlet {RHO!r}; {SPEED}"}},
+    "freestream": {IN: FREE, OUT: FREE},
+    "inletOutlet": {OUT: {
+        "U": f"type inletOutlet; inletValue uniform (0 0 0); {SPEED}",
+        "T": f"type uniformInletOutlet; uniformInletValue {T}; {WARM}"}},
+    "outletInlet": {OUT: {
+        "p": f"type outletInlet; outletValue uniform {P}; {PRESSURE}"}},
+    "fixedMean": {OUT: {
+        "p": f"type fixedMean; meanValue {P}; {PRESSURE}"}},
+    "waveTransmissive": {OUT: {
+        "p": f"type waveTransmissive; field p; fieldInf {P}; lInf 0.5; {GAS}"
+             f" {PRESSURE}"}},
+    "advective": {OUT: {
+        "p": f"type advective; field p; {PRESSURE}"}},
+    "plenumPressure": {IN: {
+        "p": f"type plenumPressure; gamma {GAMMA}; R {R_GAS!r};"
+             f" supplyMassFlowRate {FLUX!r}; supplyTotalTemperature {T0!r};"
+             f" plenumVolume 1e-4; plenumDensity {RHO!r};"
+             f" plenumTemperature {T}; inletAreaRatio 1;"
+             f" inletDischargeCoefficient 1; {PRESSURE}",
+        "T": RESERVOIR["T"],
+        "U": f"type pressureInletOutletVelocity; {SPEED}"}},
+    "uniformTotalPressure": {IN: {
+        "p": f"type uniformTotalPressure; p0 {P0!r}; {GAS} {PRESSURE}",
+        "T": "type inletOutletTotalTemperature; T0 uniform"
+             f" {T0!r}; inletValue uniform {T0!r}; {GAS} {WARM}",
+        "U": "type fixedNormalInletOutletVelocity; fixTangentialInflow true;"
+             f" normalVelocity {{ {ZERO} {SPEED} }} {SPEED}"}},
+}
+DIRECTION = "inletDirection uniform (1 0 0);"
+OF_FLUX = {
+    "pressureInletVelocity": "", "pressureInletUniformVelocity": "",
+    "pressureDirectedInletVelocity": DIRECTION,
+    "pressureDirectedInletOutletVelocity": DIRECTION,
+    "pressureNormalInletOutletVelocity": "",
+    "pressureInletOutletParSlipVelocity": ""}
+
+
+def prepare(case, ends, gas, bump=BUMP, u=U):
+    write_case(case, {"endTime": END, "deltaT": 1e-6, "writeInterval": END/2,
+                      "writeControl": "adjustableRunTime", "maxCo": 0.1,
+                      "adjustTimeStep": "yes", "writePrecision": 17},
+               {}, flux="Kurganov", limiter="vanLeer")
+    write_foam(case, "system/fvSchemes", """
+fluxScheme Kurganov;
+ddtSchemes { default Euler; }
+gradSchemes { default Gauss linear; }
+divSchemes { default none; div(tauMC) Gauss linear; }
+laplacianSchemes { default Gauss linear corrected; }
+interpolationSchemes { default linear; reconstruct(rho) vanLeer;
+    reconstruct(U) vanLeerV; reconstruct(T) vanLeer; }
+snGradSchemes { default corrected; }""")
+    write_foam(case, "system/fvSolution", f"""
+solvers
+{{
+    "(rho|rhoU|rhoE)" {{ solver diagonal; }}
+    "(U|e)" {{ solver smoothSolver; smoother GaussSeidel; tolerance 1e-10;
+        relTol 0; }}
+}}
+highSpeedGas {{ viscous no; {gas} }}""")
+    write_foam(case, "constant/turbulenceProperties",
+               "simulationType laminar;")
+    thermo = "constant/thermophysicalProperties"
+    edit(case, thermo, "transport sutherland", "transport const")
+    edit(case, thermo, "As 1.458e-06; Ts 110.4;", "mu 0; Pr 1;")
+    write_block(case, box((1, 0.01, 0.01)), (N, 1, 1),
+                {IN: "patch", OUT: "patch"})
+    must(case, "blockMesh")
+    x = (np.arange(N) + 0.5)/N
+    start = {"p": P*(1 + bump*np.exp(-((x - 0.5)/0.08)**2)), "T": T,
+             "U": (u, 0, 0)}
+    for field, values in start.items():
+        upstream = ZERO if field == "p" else FIXED[field]
+        downstream = FIXED["p"] if field == "p" else ZERO
+        write_field(case, field, values, {
+            **{s + e: "type empty;" for s in "yz" for e in ("Min", "Max")},
+            IN: ends.get(IN, {}).get(field, upstream),
+            OUT: ends.get(OUT, {}).get(field, downstream)})
+
+
+def difference(these, those):
+    """Mean, of the wave's pressure, temperature and velocity."""
+    sizes = (BUMP*P, BUMP*T*(GAMMA - 1)/GAMMA,
+             BUMP*P/(RHO*np.sqrt(GAMMA*R_GAS*T)))
+    return max(np.abs(a - b).mean()/size
+               for a, b, size in zip((these[0], these[1], these[2][:, 0]),
+                                     (those[0], those[1], those[2][:, 0]),
+                                     sizes))
+
+
+def again(case, fields):
+    """Different fields after a restart, and the difference of two ranks.
+    The folders beside the case were copied before it ran."""
+    halves, ranks = case + "Halves", case + "Ranks"
+    edit(halves, "system/controlDict", f"endTime {END}", f"endTime {END/2}")
+    solve(halves)
+    edit(halves, "system/controlDict", f"endTime {END/2}", f"endTime {END}")
+    solve(halves)
+    decompose(ranks)
+    solve(ranks, 2)
+    must(ranks, "reconstructPar", "-latestTime")
+    return (same_bits(case, halves, f"{END:g}"),
+            difference(last_fields(ranks, "p T U"), fields))
+
+
+def copies(case, *names):
+    for name in names:
+        copy_case(case, case + name)
+
+
+for name, ends in CONDITIONS.items():
+    prepare(name, ends, "mode transient;")
+    copies(name, "Halves", "Ranks", "Stock")
+    solve(name)
+    must(name + "Stock", "rhoCentralFoam")
+    ours = last_fields(name, "p T U")
+    d = difference(ours, last_fields(name + "Stock", "p T U"))
+    different, e = again(name, ours)
+    verdict(name, d < 0.025 and not different and e < 1e-10,
+            f"differs by {100*d:.2f} % of the wave from rhoCentralFoam, bound"
+            f" 2.5 % (the schemes differ); restarted: {' '.join(different) or 'the same'};"
+            f" two ranks {e:.1e}, bound 1e-10")
+
+for name, more in OF_FLUX.items():
+    # The flow to which the reservoir leads, from gas at rest
+    ends = {IN: {**RESERVOIR, "U": f"type {name}; {more} value uniform"
+                 " (0 0 0);"}}
+    prepare(name, ends, "mode steady; residual 1e-9;", 0, 0.0)
+    edit(name, "system/controlDict", f"endTime {END}", "endTime 1e-3")
+    solve(name)
+    p, t, u = last_fields(name, "p T U")
+    far = max(abs(p/P - 1).max(), abs(t/T - 1).max(),
+              abs(u[:, 0]/U - 1).max())
+
+    # In time it goes the same way as with the velocity of the cells
+    timed, known = name + "InTime", name + "Known"
+    prepare(timed, ends, "mode transient;")
+    copies(timed, "Halves", "Ranks")
+    ends[IN]["U"] = "type pressureInletOutletVelocity; value uniform (0 0 0);"
+    prepare(known, ends, "mode transient;")
+    solve(timed)
+    solve(known)
+    ours = last_fields(timed, "p T U")
+    d = difference(ours, last_fields(known, "p T U"))
+    different, e = again(timed, ours)
+    verdict(name, far < 1e-6 and d < 1e-10 and not different and e < 1e-10,
+            f"steady within {far:.1e} of the reservoir's flow, bound 1e-6; in"
+            f" time {d:.1e} from pressureInletOutletVelocity, bound 1e-10;"
+            f" restarted: {' '.join(different) or 'the same'}; two ranks"
+            f" {e:.1e}")
+
+# Cells in two layers where nothing is solved
+prepare("layers", {}, "mode transient;", 0)
+edit("layers", "system/blockMeshDict", f"({N} 1 1)", f"({N//2} 2 1)")
+must("layers", "blockMesh")
+status, text = run("layers", "rhoCentralParcelFoam")
+said = " ".join(text[max(text.find("FOAM FATAL"), 0):].split())[:200]
+verdict("layersBetweenEmptyPatches_refused",
+        status != 0 and "several layers" in said and "one layer" in text, said)
