@@ -135,13 +135,14 @@ void Foam::gasMesh::setFaces()
             )
             {
                 FatalErrorInFunction
-                    << "Between the empty patches there are several layers of"
-                    << " cells: the face between cells at "
-                    << mesh_.cellCentres()[own] << " and "
-                    << mesh_.cellCentres()[own] + toFar << " looks in the"
-                    << " direction in which nothing is solved." << nl
-                    << "Make one layer of cells there, or give the sides"
-                    << " another patch type than empty"
+                    << "Nothing is solved in the direction "
+                    << vector::componentNames[d] << ", since empty patches"
+                    << " look in it, but the face between the cells at "
+                    << C[own] << " and " << C[own] + toFar
+                    << " does too: there are several layers of cells between"
+                    << " the empty patches, or these are not parallel." << nl
+                    << "Make one layer of cells of one thickness there, or"
+                    << " give the sides another patch type than empty"
                     << exit(FatalError);
             }
         }

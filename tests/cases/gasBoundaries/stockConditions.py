@@ -202,4 +202,5 @@ must("layers", "blockMesh")
 status, text = run("layers", "rhoCentralParcelFoam")
 said = " ".join(text[max(text.find("FOAM FATAL"), 0):].split())[:200]
 verdict("layersBetweenEmptyPatches_refused",
-        status != 0 and "several layers" in said and "one layer" in text, said)
+        status != 0 and "several layers" in text
+        and "Make one layer" in text, said)
