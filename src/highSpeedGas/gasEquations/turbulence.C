@@ -14,6 +14,25 @@ void Foam::gasEquations::validateTurbulence()
 }
 
 
+Foam::scalar Foam::gasEquations::relaxTurbulence()
+{
+    publish();
+    const std::vector<double> before(eddyViscosity_);
+    turbulence_.correct(false);
+    turbulence_.take(eddyViscosity_, eddyDiffusivity_);
+
+    scalar largest = 0;
+    for (label c = 0; c < geometry_.nCells(); c++)
+    {
+        const double mu =
+            closure_.viscosity(primitive[c*nVar_ + 1])
+          + max(eddyViscosity_[c], before[c]);
+        largest = max(largest, mag(eddyViscosity_[c] - before[c])/mu);
+    }
+    return returnReduce(largest, maxOp<scalar>());
+}
+
+
 void Foam::gasEquations::correctTurbulence()
 {
     turbulence_.correct();

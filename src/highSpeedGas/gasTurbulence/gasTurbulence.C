@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "gasTurbulence.H"
+#include "checked.H"
 #include "presentFile.H"
 
 Foam::gasTurbulence::gasTurbulence
@@ -99,6 +100,55 @@ void Foam::gasTurbulence::refuseEddies(const string& why) const
 }
 
 
+void Foam::gasTurbulence::checkSteady() const
+{
+    if (!eddies_)
+    {
+        return;
+    }
+    if (properties_.get<word>("simulationType") != "RAS")
+    {
+        refuseEddies
+        (
+            "eddies that are resolved have no steady state. Set 'mode"
+            " transient;' in the block highSpeedGas of system/fvSolution, or"
+            " 'simulationType RAS;'"
+        );
+    }
+
+    static const wordList transported
+    ({
+        "k", "epsilon", "omega", "nuTilda", "R", "ReThetat", "gammaInt"
+    });
+    const fvMesh& mesh = geometry_.mesh();
+    for (const word& field : transported)
+    {
+        if (!mesh.foundObject<regIOobject>(field))
+        {
+            continue;
+        }
+        const word term("ddt(rho," + field + ')');
+        const word scheme(mesh.ddtScheme(term));
+        if (scheme != "steadyState")
+        {
+            refuse
+            (
+                mesh.schemesDict().subDict("ddtSchemes"), term, scheme,
+                "steadyState, since the gas is (mode steady)"
+            );
+        }
+        if (!mesh.relaxEquation(field))
+        {
+            FatalIOErrorInFunction(mesh.solutionDict())
+                << "The steady equation of " << field << " has no relaxation"
+                << " factor." << nl << "Add to system/fvSolution:" << nl
+                << "    relaxationFactors { equations { " << field
+                << " 0.7; } }" << exit(FatalIOError);
+        }
+    }
+}
+
+
 void Foam::gasTurbulence::validate()
 {
     if (model_.valid())
@@ -108,11 +158,14 @@ void Foam::gasTurbulence::validate()
 }
 
 
-void Foam::gasTurbulence::correct()
+void Foam::gasTurbulence::correct(const bool report)
 {
     if (model_.valid())
     {
+        const int shown = solverPerformance::debug;
+        solverPerformance::debug = report ? shown : 0;
         model_->correct();
+        solverPerformance::debug = shown;
     }
 }
 

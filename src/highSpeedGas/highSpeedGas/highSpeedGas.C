@@ -373,11 +373,7 @@ Foam::highSpeedGas::highSpeedGas(const fvMesh& mesh)
     equations_->validateTurbulence();
     if (mode_ == modeType::steady)
     {
-        equations_->turbulence().refuseEddies
-        (
-            "the steady march has no equations for it. Set 'mode transient;'"
-            " in the block highSpeedGas of system/fvSolution"
-        );
+        equations_->turbulence().checkSteady();
     }
 
     Info<< "Gas: mode " << modeNames[mode_]
@@ -490,6 +486,11 @@ void Foam::highSpeedGas::align(shockAlignment& alignment)
             << exit(FatalIOError);
     }
 
+    equations_->turbulence().refuseEddies
+    (
+        "no turbulence is taken from mesh to mesh. Move the mesh with a"
+        " laminar gas, and go on with eddies on it"
+    );
     alignment.checkInflow(U_, sqrt(thermo_->gamma()/thermo_->psi()));
 
     const scalar start = mesh_.time().elapsedCpuTime();

@@ -16,7 +16,8 @@ Foam::steadySolution::steadySolution
 :
     equations_(equations),
     settings_(s),
-    iterations_(0)
+    iterations_(0),
+    eddyChange_(equations.turbulent() ? GREAT : 0)
 {}
 
 
@@ -26,7 +27,18 @@ bool Foam::steadySolution::steady() const
     return
         imbalance_.value() <= settings_.residual
      && mag(imbalance_.massBalance) <= settings_.residual
-     && mag(imbalance_.enthalpyBalance) <= settings_.residual;
+     && mag(imbalance_.enthalpyBalance) <= settings_.residual
+     && eddyChange_ <= settings_.residual;
+}
+
+
+void Foam::steadySolution::iterated()
+{
+    iterations_++;
+    if (equations_.turbulent())
+    {
+        eddyChange_ = equations_.relaxTurbulence();
+    }
 }
 
 
@@ -42,8 +54,12 @@ void Foam::steadySolution::report(const char* method, const scalar Co) const
     if (iterations_ % settings_.reportEvery == 0)
     {
         Info<< "Gas: iteration " << iterations_ << ", " << method
-            << ", Courant number " << Co << ", imbalance of " << imbalance_
-            << endl;
+            << ", Courant number " << Co << ", imbalance of " << imbalance_;
+        if (equations_.turbulent())
+        {
+            Info<< ", change of eddies " << eddyChange_;
+        }
+        Info<< endl;
     }
 }
 
@@ -54,7 +70,7 @@ void Foam::steadySolution::marchExplicitly()
     do
     {
         march.localStep(settings_.maxCo);
-        iterations_++;
+        iterated();
         equations_.computeRate();
         report("explicit", settings_.maxCo);
     }
@@ -84,7 +100,7 @@ void Foam::steadySolution::approach
         {
             equations_.reportTrouble();
         }
-        iterations_++;
+        iterated();
 
         if (finished())
         {
@@ -122,7 +138,7 @@ bool Foam::steadySolution::converge(NewtonKrylov& newton)
     {
         const scalar before = newton.norm();
         const scalar share = newton.step(Co);
-        iterations_++;
+        iterated();
         if (finished())
         {
             return true;
@@ -239,7 +255,13 @@ bool Foam::steadySolution::solve(const bool near)
             << imbalance_.place[k] << " (rank " << imbalance_.rank[k]
             << "), " << imbalance_.largest[k] << "; the balance of mass is "
             << imbalance_.massBalance << ", that of total enthalpy "
-            << imbalance_.enthalpyBalance << " of what flows in" << endl;
+            << imbalance_.enthalpyBalance << " of what flows in";
+        if (equations_.turbulent())
+        {
+            Info<< "; the eddy viscosity changes by " << eddyChange_
+                << " of the viscosity in an iteration";
+        }
+        Info<< endl;
     }
     return steady();
 }

@@ -160,9 +160,10 @@ def in_time(**schemes):
     return change
 
 
-def turbulent(body, **settings):
+def turbulent(body, ddt="Euler", **settings):
     def change(case):
         gas(**settings)(case)
+        edit(case, SCHEMES, "default Euler", "default " + ddt)
         write_foam(case, "constant/turbulenceProperties", body)
         edit(case, SCHEMES, "ddtSchemes",
              "wallDist { method meshWave; } ddtSchemes")
@@ -354,8 +355,16 @@ TABLE = [
     ("turbulentWithoutFriction", turbulent(RAS, mode="transient",
                                            viscous="no"),
      ["simulationType", "RAS", "viscous yes", "laminar"]),
-    ("turbulentSteady", turbulent(RAS, mode="steady"),
-     ["simulationType", "RAS", "laminar"]),
+    ("turbulentSteadyInTime", turbulent(RAS, mode="steady"),
+     ["ddt(rho,k)", "Euler", "steadyState"]),
+    ("turbulentSteadyUnrelaxed", turbulent(
+        RAS, ddt="steadyState", mode="steady"),
+     ["equation of k", "equations { k 0.7; }"]),
+    ("turbulentSteadyLES", turbulent(
+        "simulationType LES; LES { LESModel kEqn; turbulence on;"
+        " delta cubeRootVol; cubeRootVolCoeffs { deltaCoeff 1; } }",
+        mode="steady"),
+     ["simulationType", "LES", "mode transient", "laminar"]),
     ("laminarModel", turbulent(
         "simulationType laminar; laminar { model Maxwell;"
         " MaxwellCoeffs { nuM 1; lambda 1; } }", mode="transient"),
