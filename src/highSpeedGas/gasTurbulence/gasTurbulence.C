@@ -18,6 +18,9 @@ Foam::gasTurbulence::gasTurbulence
 :
     geometry_(geometry),
     eddies_(false),
+    U_(U),
+    thermo_(thermo),
+    warned_(false),
     model_(nullptr)
 {
     const fvMesh& mesh = geometry.mesh();
@@ -166,6 +169,59 @@ void Foam::gasTurbulence::correct(const bool report)
         solverPerformance::debug = report ? shown : 0;
         model_->correct();
         solverPerformance::debug = shown;
+    }
+}
+
+
+void Foam::gasTurbulence::warnOfWallHeat()
+{
+    if (!eddies_ || warned_)
+    {
+        return;
+    }
+    const tmp<volScalarField> talphat(model_->alphat());
+    const volScalarField::Boundary& alphat = talphat().boundaryField();
+
+    forAll(alphat, patchi)
+    {
+        const fvPatchScalarField& Tp = thermo_.T().boundaryField()[patchi];
+        if
+        (
+            !Tp.fixesValue()
+         || alphat[patchi].type().find("WallFunction") == string::npos
+        )
+        {
+            continue;
+        }
+
+        // Friction heats the gas by u^2/2, of which the wall function knows
+        // as little as of the enthalpy of recovery
+        const scalarField heated
+        (
+            0.5*magSqr(U_.boundaryField()[patchi].patchInternalField())
+           /thermo_.Cp(thermo_.p().boundaryField()[patchi], Tp, patchi)
+        );
+        const scalarField driving(mag(Tp.patchInternalField() - Tp));
+        label nWrong = 0;
+        forAll(heated, facei)
+        {
+            nWrong +=
+                alphat[patchi][facei] > 0
+             && heated[facei] > 0.1*driving[facei];
+        }
+        reduce(nWrong, sumOp<label>());
+        if (nWrong)
+        {
+            warned_ = true;
+            WarningInFunction
+                << "The heat flux of patch " << Tp.patch().name() << " is not"
+                << " to be relied on: on " << nWrong << " faces the wall"
+                << " function " << alphat[patchi].type() << " leaves out the"
+                << " heat of friction, which warms the gas next to them by "
+                << gMax(heated) << " K." << nl
+                << "Resolve the wall layer (y+ below 1), where the wall"
+                << " function adds nothing" << endl;
+        }
     }
 }
 

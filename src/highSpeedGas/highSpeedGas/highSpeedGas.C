@@ -619,6 +619,10 @@ bool Foam::highSpeedGas::solve()
     {
         equations_->correctTurbulence();
     }
+    if (mode_ == modeType::steady || mesh_.time().writeTime())
+    {
+        equations_->warnOfWallHeat();
+    }
 
     cpuTime_ += mesh_.time().elapsedCpuTime() - start;
     return true;

@@ -136,6 +136,20 @@ bool Foam::steadySolution::converge(NewtonKrylov& newton)
     equations_.calm();
     while (iterations_ - bestIteration < patience && Co > 0.01)
     {
+        // The eddies may need more time than a gas that is at rest by far
+        if (imbalance_.value() < 0.1*settings_.residual)
+        {
+            iterated();
+            equations_.computeRate();
+            if (finished())
+            {
+                return true;
+            }
+            bestIteration = iterations_;
+            report("eddies", Co);
+            continue;
+        }
+
         const scalar before = newton.norm();
         const scalar share = newton.step(Co);
         iterated();

@@ -17,7 +17,7 @@ SST = ("simulationType RAS;\n"
        "RAS { RASModel kOmegaSST; turbulence on; printCoeffs off; }")
 
 
-def prepare(case, model):
+def prepare(case, model, n=(NX, NY), grading="(1 12 1)"):
     write_case(case, {"endTime": END, "deltaT": 1e-7, "writeInterval": END/2,
                       "writeControl": "adjustable", "adjustTimeStep": "yes",
                       "maxCo": 0.2, "maxDeltaT": 1, "writePrecision": 17,
@@ -55,9 +55,9 @@ solvers
 }
 highSpeedGas { mode transient; }""")
     write_foam(case, "constant/turbulenceProperties", model)
-    write_block(case, box((0.2, 0.06, 0.01)), (NX, NY, 1),
+    write_block(case, box((0.2, 0.06, 0.01)), (*n, 1),
                 {"xMin": "patch", "xMax": "patch", "yMin": "wall",
-                 "yMax": "patch"}, "(1 12 1)")
+                 "yMax": "patch"}, grading)
     zero = "type zeroGradient;"
     sides = {"zMin": "type empty;", "zMax": "type empty;", "xMax": zero,
              "yMax": zero}
