@@ -5,8 +5,8 @@ stands in a folder of its own."""
 import re
 
 import numpy as np
-from caseTools import (GAMMA, R_GAS, copy_case, decompose, edit, last_fields, must, same_bits,
-                       solve, times_of, verdict, write_foam)
+from caseTools import (GAMMA, R_GAS, copy_case, decompose, edit, last_fields,
+                       must, same_bits, solve, times_of, verdict, write_foam)
 from plateCase import END, K, P, SST, T, U, WALL_T, prepare, wall
 
 LATE = 2e-3     # six passages of the stream, boundary layer at rest to 3e-8
