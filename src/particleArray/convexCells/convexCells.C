@@ -25,6 +25,9 @@ namespace
 
     const scalar tolerance = 1e-6;
 
+    // Least difference of the normals of two faces of a whole cell
+    const scalar leastTurn = 1e-3;
+
     // Behind a face of a tetrahedron until the one there is met
     const label unknown = Foam::labelMin;
 
@@ -108,6 +111,25 @@ Foam::boolList Foam::convexCells::cellsToSplit() const
             {
                 split[mesh_.faceNeighbour()[facei]] = true;
             }
+        }
+    }
+
+    // Where a cell meets smaller ones its side is several faces in one plane,
+    // and that a particle crosses the plane does not tell which it enters
+    DynamicList<vector> normals;
+    forAll(split, celli)
+    {
+        normals.clear();
+        for (const label facei : mesh_.cells()[celli])
+        {
+            const scalar sign = mesh_.faceOwner()[facei] == celli ? 1 : -1;
+            const vector n = sign*areas[facei]/mag(areas[facei]);
+            for (const vector& other : normals)
+            {
+                split[celli] =
+                    split[celli] || magSqr(n - other) < sqr(leastTurn);
+            }
+            normals.append(n);
         }
     }
 
@@ -606,7 +628,7 @@ Foam::convexCells::convexCells(const polyMesh& mesh, const boolList& others)
     if (nSplit)
     {
         Info<< ", " << nSplit << " of them"
-            << (others.empty() ? " (warped or not convex)" : "")
+            << (others.empty() ? " (warped, not convex or beside smaller ones)" : "")
             << " split into "
             << returnReduce(size(), sumOp<label>()) - (nCells - nSplit)
             << " tetrahedra";
