@@ -74,6 +74,7 @@ void Foam::writeScattering
     row("fractionBackward", s.count(S::backward)*perParticle);
     row("fractionPulling", s.count(S::pulling)*perImpact);
     row("energyGaining", s.count(S::gaining)*perImpact);
+    row("outsideOfCoefficients", s.count(S::outside)*perImpact);
     row("microImpacts", double(s.count(S::microImpacts)));
     row("capped", double(s.count(S::capped)));
     row("cpuSeconds", run.cpuSeconds);

@@ -4,6 +4,8 @@
 
 #include "reboundEntries.H"
 #include "checked.H"
+#include "OSspecific.H"
+#include "outOfRange.H"
 
 namespace
 {
@@ -56,76 +58,55 @@ List<scalarList> readRows(const dictionary& dict, const word& entry)
 }
 
 
-impact::reboundCoefficient readCoefficient
+impact::reboundCoefficient readTable
 (
-    const dictionary& dict,
-    const word& entry,
+    const dictionary& coeffs,
     const impact::reboundCoefficient::quantity& quantity
 )
 {
     typedef impact::reboundCoefficient form;
 
-    if (!dict.isDict(entry))
+    if (coeffs.found("file"))
     {
-        const token first(dict.lookup(entry));
-        if (first.isNumber())
-        {
-            const scalar value = getNumber(dict, entry, coefficientRange);
-            return checked
-            (
-                dict, [&] { return form::constant(quantity, value); }
-            );
-        }
-        // The fit is one of e_N
-        const word name(dict.get<word>(entry));
-        const wordList names
-        (
-            entry == "normal" ? wordList{"corundumOnSteel"} : wordList()
-        );
-        if (!names.found(name))
-        {
-            unknownWord(dict, entry.c_str(), name, names);
-        }
-        return form::corundumOnSteel();
+        refuseOthers(coeffs, {"type", "file"});
+        const fileName file(getFile(coeffs, "file", getEnv("FOAM_CASE")));
+        return checked(coeffs, [&] { return form::table(quantity, file); });
     }
-
-    const dictionary& coeffs = dict.subDict(entry);
-    const word type
+    refuseOthers(coeffs, {"type", "file", "angles", "speeds", "values"});
+    std::vector<double> values;
+    for (const scalarList& row : readRows(coeffs, "values"))
+    {
+        values.insert(values.end(), row.begin(), row.end());
+    }
+    const scalarList angles(getList(coeffs, "angles", "[0, 90] deg"));
+    const scalarList speeds
     (
-        getWordOf(coeffs, "type", "", {"table", "polynomial"})
+        getList(coeffs, "speeds", speedRange, scalarList(1, Zero))
     );
-    refuseOthers
+    return checked
     (
         coeffs,
-        type == "table"
-      ? wordList{"type", "angles", "speeds", "values"}
-      : wordList{"type", "coefficients", "angleRange", "speedRange"}
-    );
-    if (type == "table")
-    {
-        std::vector<double> values;
-        for (const scalarList& row : readRows(coeffs, "values"))
+        [&]
         {
-            values.insert(values.end(), row.begin(), row.end());
+            return form::table
+            (
+                quantity, numbers(angles), numbers(speeds), values
+            );
         }
-        const scalarList angles(getList(coeffs, "angles", "[0, 90] deg"));
-        const scalarList speeds
-        (
-            getList(coeffs, "speeds", speedRange, scalarList(1, Zero))
-        );
-        return checked
-        (
-            coeffs,
-            [&]
-            {
-                return form::table
-                (
-                    quantity, numbers(angles), numbers(speeds), values
-                );
-            }
-        );
-    }
+    );
+}
 
+
+impact::reboundCoefficient readPolynomial
+(
+    const dictionary& coeffs,
+    const impact::reboundCoefficient::quantity& quantity
+)
+{
+    refuseOthers
+    (
+        coeffs, {"type", "coefficients", "angleRange", "speedRange"}
+    );
     std::vector<std::vector<double>> coefficients;
     for (const scalarList& row : readRows(coeffs, "coefficients"))
     {
@@ -151,7 +132,7 @@ impact::reboundCoefficient readCoefficient
         coeffs,
         [&]
         {
-            return form::polynomial
+            return impact::reboundCoefficient::polynomial
             (
                 quantity, coefficients, angles.first(), angles.second(),
                 speeds.first(), speeds.second()
@@ -161,6 +142,69 @@ impact::reboundCoefficient readCoefficient
 }
 
 } // End anonymous namespace
+
+
+impact::reboundCoefficient Foam::reboundEntries::coefficient
+(
+    const dictionary& dict,
+    const impact::reboundCoefficient::quantity& quantity,
+    const std::optional<scalar>& deflt
+)
+{
+    typedef impact::reboundCoefficient form;
+
+    const word entry(quantity.name);
+    if (dict.isDict(entry))
+    {
+        const dictionary& coeffs = dict.subDict(entry);
+        wordList types{"table", "polynomial"};
+        if (quantity.of == form::component::normal)
+        {
+            types.append("McNamaraFalcon");
+        }
+        const word type(getWordOf(coeffs, "type", "", types));
+        if (type == "table")
+        {
+            return readTable(coeffs, quantity);
+        }
+        if (type == "polynomial")
+        {
+            return readPolynomial(coeffs, quantity);
+        }
+        refuseOthers(coeffs, {"type", "restitution", "speed"});
+        const scalar value =
+            getNumber(coeffs, "restitution", validRange::share);
+        const scalar speed = getNumber(coeffs, "speed", validRange::speed);
+        return checked
+        (
+            coeffs,
+            [&] { return form::McNamaraFalcon(quantity, value, speed); }
+        );
+    }
+    if (dict.found(entry) && !token(dict.lookup(entry)).isNumber())
+    {
+        const word name(dict.get<word>(entry));
+        wordList names;
+        for (const std::string& fit : form::fits(quantity))
+        {
+            names.append(fit);
+        }
+        if (!names.found(name))
+        {
+            unknownWord(dict, entry.c_str(), name, names);
+        }
+        return form::fit(quantity, name);
+    }
+    const scalar value =
+        missing(dict, entry, deflt)
+      ? *deflt
+      : getNumber
+        (
+            dict, entry,
+            impact::rangeText("[]", quantity.low, quantity.high)
+        );
+    return checked(dict, [&] { return form::constant(quantity, value); });
+}
 
 
 impact::hardSphereWall Foam::reboundEntries::hardSphere
@@ -188,22 +232,32 @@ impact::hardSphereWall Foam::reboundEntries::hardSphere
             "restitutionSpeed"
         }
     );
-    const scalar restitution =
-        getNumber(dict, "restitution", validRange::share);
-    const scalar friction = getNumber(dict, "friction", validRange::friction);
+    const impact::reboundCoefficient friction
+    (
+        coefficient(dict, law::frictionQuantity())
+    );
     if (model == "constant")
     {
-        return checked
-        (
-            dict, [&] { return law::constant(restitution, friction); }
-        );
+        return law(coefficient(dict, law::restitutionQuantity()), friction);
     }
+    const scalar restitution =
+        getNumber(dict, "restitution", validRange::share);
     const scalar speed =
         getNumber(dict, "restitutionSpeed", validRange::speed);
     return checked
     (
         dict,
-        [&] { return law::McNamaraFalcon(restitution, speed, friction); }
+        [&]
+        {
+            return law
+            (
+                impact::reboundCoefficient::McNamaraFalcon
+                (
+                    law::restitutionQuantity(), restitution, speed
+                ),
+                friction
+            );
+        }
     );
 }
 
@@ -217,8 +271,8 @@ impact::semiEmpiricalRebound Foam::reboundEntries::semiEmpirical
     refuseOthers(dict, {"type", "normal", "tangential", "criticalAngle"});
     return law
     (
-        readCoefficient(dict, "normal", law::normalQuantity()),
-        readCoefficient(dict, "tangential", law::tangentialQuantity()),
-        readCoefficient(dict, "criticalAngle", law::criticalAngleQuantity())
+        coefficient(dict, law::normalQuantity()),
+        coefficient(dict, law::tangentialQuantity()),
+        coefficient(dict, law::criticalAngleQuantity())
     );
 }

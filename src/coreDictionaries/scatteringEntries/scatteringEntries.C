@@ -5,6 +5,7 @@
 #include "scatteringEntries.H"
 #include "checked.H"
 #include "coreVector.H"
+#include "reboundEntries.H"
 
 namespace
 {
@@ -159,25 +160,18 @@ impact::reboundLaw readLaw(const dictionary& dict)
       ? wordList{"type", "normal", "tangential"}
       : wordList{"type", "restitution", "friction"}
     );
-    if (type == "restitution")
-    {
-        const scalar normal =
-            getNumber(dict, "normal", validRange::share, scalar(0.8));
-        const scalar tangential =
-            getNumber(dict, "tangential", "[-1, 1]", scalar(0));
-        return checked
+    typedef reboundEntries entries;
+    return type == "restitution"
+      ? law::restitution
         (
-            dict, [&] { return law::restitution(normal, tangential); }
+            entries::coefficient(dict, law::normalQuantity(), 0.8),
+            entries::coefficient(dict, law::tangentialQuantity(), 0)
+        )
+      : law::coulomb
+        (
+            entries::coefficient(dict, law::restitutionQuantity(), 0.8),
+            entries::coefficient(dict, law::frictionQuantity(), 0.3)
         );
-    }
-    const scalar restitution =
-        getNumber(dict, "restitution", validRange::share, scalar(0.8));
-    const scalar friction =
-        getNumber(dict, "friction", validRange::friction, scalar(0.3));
-    return checked
-    (
-        dict, [&] { return law::coulomb(restitution, friction); }
-    );
 }
 
 } // End anonymous namespace

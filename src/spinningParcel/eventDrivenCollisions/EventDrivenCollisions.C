@@ -5,6 +5,7 @@
 #include "EventDrivenCollisions.H"
 #include "NoDispersion.H"
 #include "checked.H"
+#include "reboundEntries.H"
 #include "wedgePolyPatch.H"
 #include "coupledPolyPatch.H"
 #include "cyclicAMIPolyPatch.H"
@@ -229,15 +230,16 @@ Foam::EventDrivenCollisions<CloudType>::EventDrivenCollisions
             dict,
             [&]
             {
-                return impact::pairLaw
+                typedef impact::pairLaw law;
+                return law
                 (
-                    getNumber
+                    reboundEntries::coefficient
                     (
-                        dict, "restitution", validRange::share, scalar(0.9)
+                        dict, law::restitutionQuantity(), scalar(0.9)
                     ),
-                    getNumber
+                    reboundEntries::coefficient
                     (
-                        dict, "friction", validRange::friction, scalar(0.2)
+                        dict, law::frictionQuantity(), scalar(0.2)
                     ),
                     cloud.rotation(),
                     getNumber
@@ -248,7 +250,14 @@ Foam::EventDrivenCollisions<CloudType>::EventDrivenCollisions
             }
         )
     ),
-    restingLaw_(0, law_.friction(), law_.spin(), law_.tangentialRestitution()),
+    restingLaw_
+    (
+        impact::reboundCoefficient::constant
+        (
+            impact::pairLaw::restitutionQuantity(), 0
+        ),
+        law_.friction(), law_.spin(), law_.tangentialRestitution()
+    ),
     duration_
     (
         getNumber
@@ -303,8 +312,8 @@ Foam::EventDrivenCollisions<CloudType>::EventDrivenCollisions
     setPasses();
 
     Info<< "Selecting parcel collisions eventDriven: " << dimension_
-        << " dimensions, restitution " << law_.restitution()
-        << ", friction " << law_.friction()
+        << " dimensions, restitution " << law_.restitution().describe()
+        << ", friction " << law_.friction().describe()
         << ", contact duration " << duration_.value() << " s" << endl;
     if (Pstream::parRun())
     {

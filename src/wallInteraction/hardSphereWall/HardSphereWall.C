@@ -17,7 +17,7 @@ Foam::HardSphereWall<CloudType>::HardSphereWall
         owner,
         typeName,
         reboundEntries::hardSphere,
-        {"sliding impacts"}
+        {"sliding impacts", "outside of coefficients"}
     )
 {}
 
@@ -33,9 +33,10 @@ bool Foam::HardSphereWall<CloudType>::correct
     return this->rebound
     (
         p, pp, keepParticle,
-        [&](const bool slides)
+        [&](const auto& outcome)
         {
-            this->special(pp, 0) += slides;
+            this->special(pp, 0) += outcome.slides;
+            this->special(pp, 1) += outcome.outside;
         }
     );
 }

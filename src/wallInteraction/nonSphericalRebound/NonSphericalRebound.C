@@ -238,7 +238,7 @@ Foam::NonSphericalRebound<CloudType>::NonSphericalRebound
         typeName,
         {
             "pulling impacts", "energy-gaining impacts", "capped",
-            "incidence raised or held"
+            "incidence raised or held", "outside of coefficients"
         },
         {"seed"}
     ),
@@ -321,6 +321,7 @@ bool Foam::NonSphericalRebound<CloudType>::correct
     this->special(pp, 1) += d.gaining;
     this->special(pp, 2) += d.capped;
     this->special(pp, 3) += d.raised;
+    this->special(pp, 4) += d.outside;
     this->leave(p, pp, hit);
     return true;
 }

@@ -120,7 +120,28 @@ def turn(R, w, J, dt):
     return R @ (1.5*np.eye(3) - 0.5*E), w
 
 
-def scatter(body, wall, rng, n, incidence, speed=200., normal=0.8, tangential=0.,
+def grantTabakoff(beta, v):
+    return (((-0.49*beta + 1.56)*beta - 1.76)*beta + 0.993,
+            ((-0.67*beta + 2.11)*beta - 1.66)*beta + 0.988)
+
+
+def measured(beta, v):
+    """A table over 10 and 60 deg, 40 and 160 m/s; -0.2 along the wall."""
+    a = np.clip((np.degrees(beta) - 10)/50, 0, 1)
+    s = np.clip((v - 40)/120, 0, 1)
+    return ((1 - a)*(0.9 - 0.1*s) + a*(0.7 - 0.3*s), -0.2)
+
+
+LAWS = {
+    'constant': (lambda beta, v: (0.8, 0), 'normal 0.8; tangential 0;'),
+    'fit': (grantTabakoff, 'normal GrantTabakoff; tangential GrantTabakoff;'),
+    'table': (measured, """normal
+{ type table; angles (10 60); speeds (40 160); values ((0.9 0.8) (0.7 0.4)); }
+tangential -0.2;"""),
+}
+
+
+def scatter(body, wall, rng, n, incidence, restitution, speed=200.,
             law='isotropic', spin=(0, 0, 0), firstImpact=False, flat=False,
             angle=0.03, stride=0.02, maxImpacts=200):
     al = np.radians(incidence)
@@ -176,7 +197,11 @@ def scatter(body, wall, rng, n, incidence, speed=200., normal=0.8, tangential=0.
             om = np.einsum('nij,nj->ni', R[h], w[h])
             Vc = V[h] + np.cross(om, r)
             vn = (Vc*nrm).sum(1)[:, None]*nrm
-            dVc = -(1 - tangential)*(Vc - vn) - (1 + normal)*vn
+            v = np.linalg.norm(Vc, axis=1)[:, None]
+            beta = np.arcsin(np.minimum(
+                np.linalg.norm(vn, axis=1)[:, None]/v, 1))
+            en, et = restitution(beta, v)
+            dVc = -(1 - et)*(Vc - vn) - (1 + en)*vn
             I = np.einsum('nij,j,nkj->nik', R[h], J, R[h])
             A = I + (r*r).sum(1)[:, None, None]*np.eye(3) \
                 - r[:, :, None]*r[:, None, :]
@@ -223,18 +248,18 @@ def sampled(case, entries):
 
 
 def compare(case, name, shape, wallEntries, wall, n, flat, spin=(0, 0, 0),
-            law='isotropic', incidence=15):
+            law='isotropic', incidence=15, impact='constant'):
     """Means within 4.5 standard errors, F within 5 of chi squared."""
     size = (32e-6, 25.6e-6, 25.6e-6) if shape == 'box' \
         else (32e-6, 20e-6, 12e-6)
     body = Box(size) if shape == 'box' else Ellipsoid(size)
-    b = scatter(body, wall, np.random.default_rng(1), n, incidence, flat=flat,
-                spin=spin, law=law)
+    b = scatter(body, wall, np.random.default_rng(1), n, incidence,
+                LAWS[impact][0], flat=flat, spin=spin, law=law)
     many = 400000
     s, F = sampled(case, f"""
 shape {{ type {shape}; size ({' '.join(map(str, size))}); }}
 wall {{ {wallEntries} }}
-law {{ type restitution; normal 0.8; tangential 0; }}
+law {{ type restitution; {LAWS[impact][1]} }}
 incidence {incidence}; speed 200; spin ({' '.join(map(str, spin))});
 orientation {law}; nParticles {many};
 """)
@@ -276,6 +301,10 @@ def main():
             spin=(3e6, 5e6, -8e6))
     compare(case, 'triaxialEllipsoid', 'ellipsoid', 'type smooth;', smooth(),
             4000, True, law='uniformEuler', incidence=30)
+    compare(case, 'boxByFit', 'box', 'type smooth;', smooth(), 4000, True,
+            incidence=30, impact='fit')
+    compare(case, 'boxByTable', 'box', 'type smooth;', smooth(), 4000, True,
+            impact='table')
     compare(case, 'boxOnWaves', 'box', waves, sinusoidal(20e-6, 160e-6),
             600, False)
     compare(case, 'triaxialEllipsoidOnWaves', 'ellipsoid', waves,

@@ -120,6 +120,63 @@ def check_hard_sphere():
             f"largest difference {np.abs(U - V).max():.1e}")
 
 
+def check_local_law():
+    """Restitution from a file, friction by a polynomial, a fit, a law of the
+    normal speed: functions of angle and speed."""
+    d = 30e-6
+    r = d/2
+    angles = (2, 8, 25, 40, 70, 90)
+    case = new("local")
+    laws = {
+        "yMin": '{ restitution { type table; file "constant/e.csv"; }'
+                " friction { type polynomial; coefficients (0.3 -0.1); } }",
+        "yMax": "{ restitution { type McNamaraFalcon; restitution 0.7;"
+                " speed 0.3; } friction { type table; angles (0 90);"
+                " values (0.1 0.4); } }"}
+    write_plate(case, "hardSphereWall",
+                patches(*(f"{k} {v}" for k, v in laws.items()),
+                        '"[xz]M.*" { type escape; }'),
+                [injector((0.3 + 0.01*i, 0.005, 0.1),
+                          (0.3 + 0.01*i, 0.005, 0.1), 1, direction(a), d)
+                 for i, a in enumerate(angles)],
+                lengths=(1, 0.01, 0.2), end=1e-3)
+    with open(f"{case}/constant/e.csv", "w") as file:
+        file.write("angle,speed,e\n5,20,0.95\n5,200,0.9\n30,20,0.8\n"
+                   "30,200,0.7\n90,20,0.6\n90,200,0.3\n")
+    mesh(case)
+    log = solve(case)
+    U, L = parcels(case, "0.001", "U", "angularMomentum")[1:]
+    I = 0.1*2500*math.pi/6*d**3*d*d
+    worst, impacts, outside = 0, 0, 0
+    for a, u, spin in zip(angles, U, L/I):
+        V, w, y, t = np.array(direction(a)), np.zeros(3), 0.005, 1e-3
+        while True:
+            need = (0.01 - y if V[1] > 0 else -y)/V[1]
+            if need > t:
+                break
+            up = V[1] > 0
+            n = np.array((0, -1 if up else 1, 0))
+            v = np.linalg.norm(V - r*np.cross(w, n))
+            beta = math.degrees(math.asin(abs(V[1])/v))
+            if up:
+                e, f = falcon(abs(V[1]), 0.7, 0.3), 0.1 + 0.3*beta/90
+            else:
+                at = [np.interp(v, (20, 200), row) for row in
+                      ((0.95, 0.9), (0.8, 0.7), (0.6, 0.3))]
+                e = np.interp(beta, (5, 30, 90), at)
+                f = 0.3 - 0.1*math.radians(beta)
+                outside += beta < 5 or v < 20
+            V, w = hard_sphere(V, w, n, r, e, f)
+            y, t, impacts = 0.01 if up else 0, t - need, impacts + 1
+        worst = max(worst, np.abs(u - V).max(), r*np.abs(spin - w).max())
+    c, lid = counters(log), counters(log, "yMax")
+    verdict("localLaw_formulae", worst < 1e-10 and impacts > 8,
+            f"{impacts} impacts, largest difference {worst:.1e}")
+    verdict("localLaw_outside",
+            c["outside of coefficients"] == [outside] and outside > 0
+            and lid["outside of coefficients"] == [0], str(c))
+
+
 def check_semi_empirical():
     d = 30e-6
     r = d/2
@@ -159,10 +216,10 @@ def check_semi_empirical():
 
 # --------------------------------------------------------- non-spherical ones
 
-def indicatrix(name, wall, incidences, n, table=0):
+def indicatrix(name, wall, incidences, n, table=0, law=LAW):
     case = new(name)
     write_foam(case, "system/scatteringIndicatrixDict", f"""
-{BOX} {wall} {LAW}
+{BOX} {wall} {law}
 incidence ({' '.join(map(str, incidences))}); speed 50; nParticles {n};
 seed 7; {f'tableSamples {table};' if table else ''}""")
     must(case, "scatteringIndicatrix", "-noPlot",
@@ -241,6 +298,25 @@ def check_indicatrices(n):
     x = excess(by_degree(U), n, reference[15], 4*n)
     verdict("indicatrix_smooth", x < 5,
             f"chi squared {x:.1f} deviations above its mean")
+
+    # Coefficients of the local angle, which a table can hold too
+    fit = "law { type restitution; normal GrantTabakoff; tangential" \
+        " GrantTabakoff; }"
+    reference = indicatrix("utilityFit", ROUGH, (15, 18), 2*n, samples, fit)
+    file = os.path.abspath("utilityFit/postProcessing/scatteringIndicatrix/"
+                           "responseTable.csv")
+    for name, settings, weight in (
+            ("direct", "", n),
+            ("tabulated", f'method tabulated; table "{file}"; incidenceRange'
+             " (15 18);", 1/(1/n + 1/samples))):
+        U = fly("beam", f"{BOX} {ROUGH} {fit} {settings}", 15, n)[0][1]
+        x = excess(by_degree(U)*weight/n, weight, reference[15], 2*n)
+        verdict(f"indicatrix_fit_{name}", x < 5,
+                f"chi squared {x:.1f} deviations above its mean")
+    x = excess(by_degree(fly("beam", f"{BOX} {ROUGH} {LAW}", 15, n)[0][1]),
+               n, reference[15], 2*n)
+    verdict("indicatrix_fit_hasPower", x > 10,
+            f"constant coefficients: {x:.1f} deviations")
 
     # Parcels of half the size on relief half as coarse are the same
     half = ("wall { type rough; meanSpacing 40e-6; sigmaSpacing 5e-6;"
@@ -503,6 +579,25 @@ def check_bad_input():
          ["sigmaSpacing 3e-05", "meanSpacing/3"]),
         ("law", N, ns(f"{BOX} {ROUGH} law {{ type restitution;"
                       " normal 2; }"), ["normal 2", "[0, 1]"]),
+        ("lawFit", N, ns(f"{BOX} {ROUGH} law {{ type restitution;"
+                         " tangential corundumOnSteel; }"),
+         ["tangential corundumOnSteel", "GrantTabakoff"]),
+        ("lawFile", N, ns(f"{BOX} {ROUGH} law {{ type friction; friction"
+                          ' { type table; file "/nowhere"; } }'),
+         ["friction file", "/nowhere", "cannot be read"]),
+        ("lawTable", H, patches(
+            "yMin { restitution { type table; angles (10 20); speeds (1 2);"
+            " values (0.1 0.2); } friction 0; }", lid), ["need 4 values"]),
+        ("lawSpeed", H, patches(
+            "yMin { restitution { type McNamaraFalcon; restitution 0.5;"
+            " speed 0; } friction 0; }", lid), ["speed 0", "(0, 3e8)"]),
+        ("lawFriction", H, patches(
+            "yMin { restitution 1; friction { type McNamaraFalcon;"
+            " restitution 0.5; speed 1; } }", lid),
+         ["type McNamaraFalcon", "polynomial"]),
+        ("tableOfSpeed", N, ns(tab.replace(
+            "normal 0.8", "normal corundumOnSteel")),
+         ["law must not depend on"]),
         ("maxImpacts", N, ns(f"{NON_SPHERICAL} maxImpacts 0;"),
          ["maxImpacts 0", "[1, 1e9]"]),
         ("seed", N, patches(f"yMin {{ {NON_SPHERICAL} }}", lid)
@@ -565,6 +660,7 @@ def check_bad_input():
 def main():
     n = int(sys.argv[1]) if len(sys.argv) > 1 else 100000
     check_hard_sphere()
+    check_local_law()
     check_semi_empirical()
     check_indicatrices(n)
     check_lay()

@@ -388,6 +388,55 @@ TEST(pairLaw, isTheWallLawForAnImmovableBody)
 }
 
 
+TEST(pairLaw, takesItsCoefficientsAtTheContact)
+{
+    // As a law of constants that are worked out by hand, at the velocity of
+    // the contact points; without spin, that of the centres
+    typedef reboundCoefficient form;
+    int outside = 0;
+    for (int i = 0; i < 4000; ++i)
+    {
+        const randomPair p(i);
+        const bool spin = i % 2;
+        const pairLaw law
+        (
+            form::McNamaraFalcon(pairLaw::restitutionQuantity(), 0.6, 1.5),
+            form::table
+            (
+                pairLaw::frictionQuantity(), {10, 80}, {0.5, 4},
+                {0.1, 0.2, 0.4, 0.6}
+            ),
+            spin
+        );
+        const vector3 G = p.a.v - p.b.v;
+        const double v = dot(p.n, G);
+        const vector3 surface =
+            p.a.radius*p.a.omega + p.b.radius*p.b.omega;
+        const vector3 Gc = spin ? G + cross(surface, p.n) : G;
+        const double degrees = std::asin(v/mag(Gc))*180/M_PI;
+        const double a = (std::min(std::max(degrees, 10.), 80.) - 10)/70;
+        const double s = (std::min(std::max(mag(Gc), 0.5), 4.) - 0.5)/3.5;
+        outside += degrees < 10 || degrees > 80;
+        const pairLaw wanted
+        (
+            v < 1.5
+          ? 1 - 0.4*std::pow(v/1.5, 0.2) : 0.6*std::pow(v/1.5, -0.25),
+            0.1 + 0.1*s + 0.3*a + 0.1*s*a,
+            spin
+        );
+        const pairCollision x = law.collide(p.a, p.b, p.n);
+        const pairCollision y = wanted.collide(p.a, p.b, p.n);
+        EXPECT_LT(mag(x.impulse - y.impulse), 1e-12*mag(y.impulse));
+        EXPECT_NEAR
+        (
+            x.restitutionLoss, y.restitutionLoss, 1e-12*y.restitutionLoss
+        );
+        EXPECT_EQ(x.sliding, y.sliding);
+    }
+    EXPECT_GT(outside, 100);
+}
+
+
 TEST(pairLaw, elasticCollisionsLoseNothing)
 {
     const pairLaw law(0.1, 0.5);

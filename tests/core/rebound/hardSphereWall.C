@@ -89,7 +89,7 @@ TEST(hardSphereWall, keepsItsLawsForAnyNormal)
         s.omega = (300*rnd.uniform()/r)*randomUnit(rnd);
         const sphereState before = s;
 
-        const bool slides = law.rebound(n, r, s);
+        const bool slides = law.rebound(n, r, s).slides;
         (slides ? sliding : sticking)++;
 
         const double scale = mag(before.V) + r*mag(before.omega);
@@ -173,8 +173,8 @@ TEST(hardSphereWall, changesRegimeWhereTheConeEnds)
     const auto law = hardSphereWall::constant(e, f);
     sphereState low = {{1, -limit*(1 - 1e-9), 0}, {0, 0, 0}};
     sphereState high = {{1, -limit*(1 + 1e-9), 0}, {0, 0, 0}};
-    EXPECT_TRUE(law.rebound({0, 1, 0}, 1e-5, low));
-    EXPECT_FALSE(law.rebound({0, 1, 0}, 1e-5, high));
+    EXPECT_TRUE(law.rebound({0, 1, 0}, 1e-5, low).slides);
+    EXPECT_FALSE(law.rebound({0, 1, 0}, 1e-5, high).slides);
     EXPECT_NEAR(low.V.x, 5./7, 1e-8);
     EXPECT_NEAR(high.V.x, 5./7, 1e-8);
 }
@@ -183,15 +183,91 @@ TEST(hardSphereWall, changesRegimeWhereTheConeEnds)
 TEST(hardSphereWall, restitutionOfMcNamaraAndFalcon)
 {
     const auto law = hardSphereWall::McNamaraFalcon(0.7, 0.3, 0.2);
-    EXPECT_DOUBLE_EQ(law.restitution(0), 1);
-    EXPECT_DOUBLE_EQ(law.restitution(0.3), 0.7);
-    EXPECT_NEAR(law.restitution(0.3/32), 1 - 0.3/2, 1e-14);
-    EXPECT_NEAR(law.restitution(0.3*16), 0.35, 1e-14);
-    EXPECT_NEAR(law.restitution(0.3*(1 + 1e-9)), 0.7, 1e-8);
+    auto restitution = [&](double v, double along)
+    {
+        sphereState s = {{along, -v, 0}, {0, 0, 0}};
+        law.rebound({0, 1, 0}, 1e-5, s);
+        return s.V.y/v;
+    };
+    for (const double along : {0., 0.01, 100.})
+    {
+        EXPECT_NEAR(restitution(0.3, along), 0.7, 1e-13);
+        EXPECT_NEAR(restitution(0.3/32, along), 1 - 0.3/2, 1e-13);
+        EXPECT_NEAR(restitution(0.3*16, along), 0.35, 1e-13);
+        EXPECT_NEAR(restitution(0.3*(1 + 1e-9), along), 0.7, 1e-8);
+    }
+}
 
-    sphereState s = {{0, -4.8, 0}, {0, 0, 0}};
-    law.rebound({0, 1, 0}, 1e-5, s);
-    EXPECT_NEAR(s.V.y, 0.35*4.8, 1e-13);
+
+TEST(hardSphereWall, takesItsCoefficientsAtTheContact)
+{
+    // Written down once more: tables over the angle and the speed of the
+    // contact, which is not that of the centre where the sphere spins
+    typedef reboundCoefficient form;
+    const std::vector<double> angles = {0, 30, 90}, speeds = {10, 100};
+    const hardSphereWall law
+    (
+        form::table
+        (
+            hardSphereWall::restitutionQuantity(), angles, speeds,
+            {1, 0.9, 0.8, 0.6, 0.5, 0.2}
+        ),
+        form::polynomial
+        (
+            hardSphereWall::frictionQuantity(), {{0.4}, {-0.2}}, 10, 80, 0, 0
+        )
+    );
+    auto line = [](double x, double x0, double y0, double x1, double y1)
+    {
+        return y0 + (y1 - y0)*(x - x0)/(x1 - x0);
+    };
+    int spun = 0, outside = 0;
+    for (int i = 0; i < 5000; ++i)
+    {
+        counterRandom rnd(13, i);
+        const double r = 2e-5;
+        const vector3 n = randomUnit(rnd);
+        sphereState s;
+        do
+        {
+            s.V = (110*rnd.uniform())*randomUnit(rnd);
+        }
+        while (dot(s.V, n) >= 0);
+        s.omega = (i % 2*60*rnd.uniform()/r)*randomUnit(rnd);
+        const sphereState before = s;
+
+        const vector3 Vc = contactVelocity(n, r, before);
+        const double speed = mag(Vc);
+        const double angle = std::asin(-dot(Vc, n)/speed)*180/M_PI;
+        const bool steep = angle > 30;
+        const double v = std::min(std::max(speed, 10.), 100.);
+        auto at = [&](double slow, double fast)
+        {
+            return line(v, 10, slow, 100, fast);
+        };
+        const double e = steep
+          ? line(angle, 30, at(0.8, 0.6), 90, at(0.5, 0.2))
+          : line(angle, 0, at(1, 0.9), 30, at(0.8, 0.6));
+        const double held = std::min(std::max(angle, 10.), 80.);
+        const double f = 0.4 - 0.2*held*M_PI/180;
+
+        sphereState wanted = before;
+        hardSphereWall::constant(e, f).rebound(n, r, wanted);
+        const auto out = law.rebound(n, r, s);
+        const double scale = mag(before.V) + r*mag(before.omega);
+        EXPECT_LT(mag(s.V - wanted.V), 1e-12*scale);
+        EXPECT_LT(r*mag(s.omega - wanted.omega), 1e-12*scale);
+        EXPECT_EQ
+        (
+            out.outside,
+            speed < 10 || speed > 100 || angle < 10 || angle > 80
+        );
+        outside += out.outside;
+        spun += std::fabs(mag(before.V)/speed - 1) > 0.1;
+    }
+    EXPECT_GT(outside, 500);
+    EXPECT_LT(outside, 4500);
+    EXPECT_GT(spun, 500);
 }
 
 

@@ -9,17 +9,41 @@ Description
 
 #include <gtest/gtest.h>
 #include <cmath>
+#include <cstdio>
+#include <fstream>
 #include <stdexcept>
 #include <string>
+#include <unistd.h>
 
 using namespace impact;
 
 namespace
 {
 
-const reboundCoefficient::quantity unit = {"normal", 0, 1};
-
 typedef reboundCoefficient form;
+
+const form::quantity unit = {"normal", 0, 1};
+const form::quantity ofNormal = {"normal", 0, 1, form::component::normal};
+const form::quantity ofTangential =
+    {"tangential", -1, 1, form::component::tangential};
+
+
+//- A file that is removed again
+struct textFile
+{
+    const std::string name =
+        testing::TempDir() + "reboundCoefficient" + std::to_string(getpid());
+
+    explicit textFile(const char* text)
+    {
+        std::ofstream(name) << text;
+    }
+
+    ~textFile()
+    {
+        std::remove(name.c_str());
+    }
+};
 
 template<class Action>
 std::string refusal(Action action)
@@ -109,7 +133,7 @@ TEST(reboundCoefficient, polynomialInRadians)
 
 TEST(reboundCoefficient, corundumOnSteel)
 {
-    const auto c = form::corundumOnSteel();
+    const form c = form::fit(ofNormal, "corundumOnSteel");
     EXPECT_EQ(c(0, 200), 1);
     EXPECT_EQ(c(90, 0), 1);
     const double s = std::sin(std::acos(-1.)/18);
@@ -120,6 +144,98 @@ TEST(reboundCoefficient, corundumOnSteel)
     // What the physics page says of it
     EXPECT_NEAR(c(10, 200), 0.84, 0.005);
     EXPECT_NEAR(c(20, 200), 0.69, 0.005);
+}
+
+
+TEST(reboundCoefficient, GrantTabakoff)
+{
+    // At pi/6 and pi/2, worked out from the printed coefficients in decimals
+    const form n = form::fit(ofNormal, "GrantTabakoff");
+    const form t = form::fit(ofTangential, "GrantTabakoff");
+    EXPECT_NEAR(n(0, 1), 0.993, 1e-15);
+    EXPECT_NEAR(n(30, 1), 0.4288106995, 1e-10);
+    EXPECT_NEAR(n(90, 1), 0.1784097346, 1e-10);
+    EXPECT_NEAR(t(0, 1), 0.988, 1e-15);
+    EXPECT_NEAR(t(30, 1), 0.6011176359, 1e-10);
+    EXPECT_NEAR(t(90, 1), 0.9899187471, 1e-10);
+    EXPECT_FALSE(n.dependsOnSpeed());
+    EXPECT_FALSE(n.outside(90, 1e6));
+    EXPECT_NEAR(n.least(), n(90, 1), 1e-15);
+
+    // Friction has no fit, nor is there one of corundum along the wall
+    EXPECT_TRUE(form::fits(unit).empty());
+    EXPECT_NE
+    (
+        refusal([] { form::fit(ofTangential, "corundumOnSteel"); })
+       .find("no fit corundumOnSteel"),
+        std::string::npos
+    );
+}
+
+
+TEST(reboundCoefficient, McNamaraFalcon)
+{
+    const form c = form::McNamaraFalcon(ofNormal, 0.7, 0.3);
+    EXPECT_EQ(c(90, 0), 1);
+    EXPECT_DOUBLE_EQ(c(90, 0.3), 0.7);
+    EXPECT_NEAR(c(30, 0.6), 0.7, 1e-14);
+    EXPECT_NEAR(c(30, 0.6/32), 0.85, 1e-14);
+    EXPECT_NEAR(c(30, 0.6*16), 0.35, 1e-14);
+    EXPECT_TRUE(c.dependsOnSpeed());
+    EXPECT_THROW
+        (form::McNamaraFalcon(ofNormal, 0.7, 0), std::invalid_argument);
+    EXPECT_THROW
+        (form::McNamaraFalcon(ofNormal, 1.1, 1), std::invalid_argument);
+}
+
+
+TEST(reboundCoefficient, tableFromAFile)
+{
+    const textFile both
+    (
+        "angle,speed,value\n# as measured\n\n10, 50, 0.9\r\n10,150,0.8\n"
+        "45 50 0.7\n45 150 0.6\n"
+    );
+    const form c = form::table(unit, both.name);
+    const form same =
+        form::table(unit, {10, 45}, {50, 150}, {0.9, 0.8, 0.7, 0.6});
+    EXPECT_EQ(c.describe(), same.describe());
+    EXPECT_EQ(c(20, 70), same(20, 70));
+
+    {
+        const textFile angleOnly("10 0.9\n20 0.8");
+        const form a = form::table(unit, angleOnly.name);
+        EXPECT_NEAR(a(12, 1e9), 0.88, 1e-15);
+        EXPECT_FALSE(a.dependsOnSpeed());
+    }
+    for
+    (
+        const auto& [text, why] :
+        std::vector<std::pair<const char*, const char*>>
+        {
+            {"10 50 0.9\n10 150\n", "line 2"},
+            {"10 50 0.9\n10 150 x\n", "line 2"},
+            {"10 50 0.9\n10 150 0.8\n20 60 0.7\n", "line 3"},
+            {"10 50 0.9\n10 150 0.8\n20 50 0.7\n30 50 0.7\n", "line 4"},
+            {"10 50 0.9\n10 150 0.8\n20 50 0.7\n", "need 4 values"},
+            {"10 0.9\n5 0.8\n", "must increase"},
+            {"10 0.9\n20 1.8\n", "values 1.8"},
+            {"10\n", "line 1"},
+            {"# none\n", "empty"}
+        }
+    )
+    {
+        const textFile bad(text);
+        const std::string told =
+            refusal([&] { form::table(unit, bad.name); });
+        EXPECT_NE(told.find(why), std::string::npos) << told;
+        EXPECT_NE(told.find(bad.name), std::string::npos) << told;
+    }
+    EXPECT_NE
+    (
+        refusal([] { form::table(unit, "/nowhere"); }).find("cannot be read"),
+        std::string::npos
+    );
 }
 
 

@@ -120,6 +120,59 @@ TEST(reboundLaw, solvesTheEquationsOfTheRigidImpact)
 }
 
 
+TEST(reboundLaw, takesItsCoefficientsAtTheContact)
+{
+    // As a law of constants that are worked out by hand, at the velocity of
+    // the contact point
+    typedef reboundCoefficient form;
+    const reboundLaw fitted = reboundLaw::restitution
+    (
+        form::fit(reboundLaw::normalQuantity(), "GrantTabakoff"),
+        form::fit(reboundLaw::tangentialQuantity(), "GrantTabakoff")
+    );
+    const reboundLaw rubbing = reboundLaw::coulomb
+    (
+        form::McNamaraFalcon(reboundLaw::restitutionQuantity(), 0.6, 20),
+        form::table
+        (
+            reboundLaw::frictionQuantity(), {20, 70}, {0}, {0.4, 0.1}
+        )
+    );
+    int outside = 0;
+    for (int i = 0; i < 2000; ++i)
+    {
+        const randomImpact c(i);
+        const vector3& J = c.body.inertia();
+        const vector3 Vc = c.V + cross(c.omega, c.r);
+        const double v = -dot(Vc, c.n);
+        const double b = std::asin(v/mag(Vc)), degrees = b*180/M_PI;
+
+        const impactRecord a = fitted.impact(J, c.r, c.n, c.V, c.omega);
+        const impactRecord wantedA = reboundLaw::restitution
+        (
+            0.993 - 1.76*b + 1.56*b*b - 0.49*b*b*b,
+            0.988 - 1.66*b + 2.11*b*b - 0.67*b*b*b
+        ).impact(J, c.r, c.n, c.V, c.omega);
+        EXPECT_LT(mag(a.dV - wantedA.dV), 1e-12*mag(Vc));
+        EXPECT_FALSE(a.outside);
+
+        const impactRecord d = rubbing.impact(J, c.r, c.n, c.V, c.omega);
+        const double held = std::min(std::max(degrees, 20.), 70.);
+        const impactRecord wantedD = reboundLaw::coulomb
+        (
+            v < 20 ? 1 - 0.4*std::pow(v/20, 0.2) : 0.6*std::pow(v/20, -0.25),
+            0.4 - 0.3*(held - 20)/50
+        ).impact(J, c.r, c.n, c.V, c.omega);
+        EXPECT_LT(mag(d.dV - wantedD.dV), 1e-9*mag(Vc));
+        EXPECT_LE(d.energyChange, 1e-12*d.energyBefore);
+        EXPECT_EQ(d.outside, degrees < 20 || degrees > 70);
+        outside += d.outside;
+    }
+    EXPECT_GT(outside, 200);
+    EXPECT_LT(outside, 1800);
+}
+
+
 TEST(reboundLaw, changesTheEnergyByTheIdentity)
 {
     const double an = 0.8, at = 0.3;

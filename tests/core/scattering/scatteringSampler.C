@@ -302,9 +302,24 @@ TEST(scatteringSampler, followsManyBodiesAsTheGeneralSearchFollowsOne)
     variants.push_back({brick, 45, {1e6, 2e7, 0}, exit, rubbing, paper});
     variants.push_back({rod, 15, still, once, rubbing, steep});
 
+    // Coefficients of the local angle and speed
+    typedef reboundCoefficient form;
+    const reboundLaw local = reboundLaw::restitution
+    (
+        form::table
+        (
+            reboundLaw::normalQuantity(), {0, 20, 90}, {50, 200},
+            {0.95, 0.9, 0.8, 0.7, 0.5, 0.3}
+        ),
+        form::fit(reboundLaw::tangentialQuantity(), "GrantTabakoff")
+    );
+    variants.push_back({egg, 15, still, exit, local, paper});
+    variants.push_back({brick, 30, {0, 1e6, 0}, exit, local, paper});
+
     // On the smooth wall
     const std::shared_ptr<const relief> smooth;
     const convexBody block = convexBody::box({a, 0.8*a, 0.6*a});
+    variants.push_back({brick, 15, still, exit, local, smooth});
     for
     (
         const convexBody& body : {brick, cube, plate, needle, block, egg, lens}

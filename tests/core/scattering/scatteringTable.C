@@ -333,6 +333,26 @@ TEST(scatteringTable, refusesAnotherWall)
     expect(s, "law restitution 0.8 0");
     s.law = reboundLaw::coulomb(0.8, 0);
     expect(s, "law friction");
+    typedef reboundCoefficient form;
+    const auto tangential =
+        form::constant(reboundLaw::tangentialQuantity(), 0);
+    s.law = reboundLaw::restitution
+    (
+        form::fit(reboundLaw::normalQuantity(), "GrantTabakoff"), tangential
+    );
+    expect(s, "law restitution polynomial");
+    scatteringTable(s, {10, 20}, 30).checkCovers(s, 10, 20);
+    s.law = reboundLaw::restitution
+    (
+        form::fit(reboundLaw::normalQuantity(), "corundumOnSteel"), tangential
+    );
+    expect(s, "must not depend on");
+    EXPECT_NE
+    (
+        refusal([&] { scatteringTable(s, {10, 20}, 30); })
+       .find("must not depend on"),
+        std::string::npos
+    );
     s = rough();
     s.wall = std::make_shared<const relief>
     (

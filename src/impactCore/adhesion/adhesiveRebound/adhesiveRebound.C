@@ -36,11 +36,12 @@ impact::adhesiveRebound::adhesiveRebound
 :
     wall_(wall),
     curve_(curve),
-    friction_(hardSphereWall::constant(0, friction)),
+    friction_(friction),
     layer_(),
     perSpeedScale_(0)
 {
     check(wall);
+    checkRange("friction", friction, "[0, 1e6]");
 
     // Of a sphere of a micrometre, where all is of the order of one
     const sphere micron = {2e-6, 1000};
@@ -126,7 +127,7 @@ impact::adhesiveRebound::outcome impact::adhesiveRebound::rebound
     const double speed = mag(slip);
     const double Jn = v + v1;
     const double stop = out.detached ? 2./7*m2/(m1 + m2) : 2./7;
-    const double f = friction_.friction();
+    const double f = friction_;
     out.slides = f*Jn < stop*speed;
     const vector3 Jt = -(out.slides ? f*Jn/speed : stop)*slip;
 

@@ -6,10 +6,22 @@
 #include "outOfRange.H"
 
 
+impact::reboundCoefficient::quantity impact::pairLaw::restitutionQuantity()
+{
+    return {"restitution", 0, 1, reboundCoefficient::component::normal};
+}
+
+
+impact::reboundCoefficient::quantity impact::pairLaw::frictionQuantity()
+{
+    return {"friction", 0, 1e6};
+}
+
+
 impact::pairLaw::pairLaw
 (
-    double restitution,
-    double friction,
+    const reboundCoefficient& restitution,
+    const reboundCoefficient& friction,
     bool spin,
     double tangentialRestitution
 )
@@ -19,10 +31,26 @@ impact::pairLaw::pairLaw
     tangentialRestitution_(tangentialRestitution),
     spin_(spin)
 {
-    checkRange("restitution", restitution, 0, 1);
-    checkRange("friction", friction, 0, 1e12);
     checkRange("tangentialRestitution", tangentialRestitution, -1, 1);
 }
+
+
+impact::pairLaw::pairLaw
+(
+    double restitution,
+    double friction,
+    bool spin,
+    double tangentialRestitution
+)
+:
+    pairLaw
+    (
+        reboundCoefficient::constant(restitutionQuantity(), restitution),
+        reboundCoefficient::constant({"friction", 0, 1e12}, friction),
+        spin,
+        tangentialRestitution
+    )
+{}
 
 
 impact::pairCollision impact::pairLaw::collide
@@ -57,18 +85,23 @@ impact::pairCollision impact::pairLaw::collide
     const double inverse1 = 1/first.mass;
     const double inverse2 = 1/second.mass;
     const double m = 1/(inverse1 + inverse2);
-    const double e = elastic ? 1 : restitution_;
+    const vector3 surface = first.radius*omega1 + second.radius*omega2;
+    impactPoint at;
+    if (!restitution_.isConstant() || !friction_.isConstant())
+    {
+        at = impactPoint(G + cross(surface, n), -n);
+    }
+    const double e = elastic ? 1 : restitution_(at);
+    const double friction = elastic ? 0 : friction_(at);
     const double normal = (1 + e)*Gn*m;
     vector3 J = (-normal)*n;
 
-    if (!elastic && friction_ > 0)
+    if (friction > 0)
     {
-        const vector3 surface =
-            first.radius*omega1 + second.radius*omega2;
         const vector3 slip = (G - Gn*n) + cross(surface, n);
         const double speed = mag(slip);
         const double stick = (2./7)*(1 + tangentialRestitution_)*m;
-        const double limit = friction_*normal;
+        const double limit = friction*normal;
         out.sliding = limit < stick*speed;
 
         // Impulse per unit of slip; a contact that slides has some

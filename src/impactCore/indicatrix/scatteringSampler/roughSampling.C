@@ -46,7 +46,7 @@ struct passenger
     int slot;               // of the relief
     std::int64_t at;        // an interval near it
     int contacts = 0;
-    int impacts = 0, micro = 0, pulling = 0, gaining = 0;
+    int impacts = 0, micro = 0, pulling = 0, gaining = 0, outside = 0;
     bool second = false, into = false;
 };
 
@@ -146,8 +146,9 @@ bool moveWindow
     return true;
 }
 
-//- One impact by any law
-void strikeOne
+//- One impact by any law. Returns whether a coefficient was asked for outside
+//  of its range
+bool strikeOne
 (
     const impact::reboundLaw& law,
     const impact::roughBody& body,
@@ -187,6 +188,7 @@ void strikeOne
     l.gaining[i] = record.gainsEnergy();
     put(l.V, V + fromBody(record.dV));
     put(l.w, w + fromBody(record.dOmega));
+    return record.outside;
 }
 
 } // End anonymous namespace
@@ -204,7 +206,7 @@ void impact::scatteringSampler::setRoughBody()
 
     vectorRough_ =
         body.symmetryAxis() >= 0 && (ellipsoid || body.isBox())
-     && law.normal() > 0
+     && law.normal().least() > 0
      && stretch_ < 512
      && 2.001*R < 2*shortest;
     if (!vectorRough_)
@@ -225,8 +227,8 @@ void impact::scatteringSampler::setRoughBody()
     rough_.lever = R - body.leastCurvature();
     rough_.bend = rough_.lever*(1 + freeRotation::skewness(body));
     rough_.top = wall.top();
-    rough_.normal = law.normal();
-    rough_.tangential = law.tangential();
+    rough_.normal = smooth_.normal;
+    rough_.tangential = smooth_.tangential;
 }
 
 
@@ -241,6 +243,9 @@ void impact::scatteringSampler::sampleRandomRelief
     const relief& wall = *setup_.wall;
     const bool once =
         setup_.treatment == visitTreatment::firstImpact;
+    const bool oneByOne =
+        setup_.law.law() != reboundLaw::lawType::restitution
+     || !setup_.law.isConstant();
     const double small = 1e-3*mag(V1_);
     const double V[3] = {V1_.x, V1_.y, V1_.z};
     const double spin[3] = {setup_.spin.x, setup_.spin.y, setup_.spin.z};
@@ -384,6 +389,7 @@ void impact::scatteringSampler::sampleRandomRelief
         total.micro += q.micro;
         total.pulling += q.pulling;
         total.gaining += q.gaining;
+        total.outside += q.outside;
         total.second += q.second;
         total.into += q.into;
         --w.slots[q.slot]->users;
@@ -500,18 +506,19 @@ void impact::scatteringSampler::sampleRandomRelief
             const int i = struck[std::min(k, m - 1)];
             copyLane(l, i, hits, k, impactFields);
         }
-        if (setup_.law.law() == reboundLaw::lawType::restitution)
-        {
-            roughImpact(wholeVectors(m), rough_, hits);
-        }
-        else
+        bool outside[roughBatch] = {};
+        if (oneByOne)
         {
             roughArrive(wholeVectors(m), hits);
             for (int k = 0; k < m; ++k)
             {
-                strikeOne(setup_.law, rough_, hits, k);
+                outside[k] = strikeOne(setup_.law, rough_, hits, k);
             }
             roughDepart(wholeVectors(m), rough_, hits);
+        }
+        else
+        {
+            roughImpact(wholeVectors(m), rough_, hits);
         }
 
         // Backwards: a lane may be taken by the last one
@@ -531,6 +538,7 @@ void impact::scatteringSampler::sampleRandomRelief
                 ++(hits.approach[k] > small ? q.impacts : q.micro);
                 q.pulling += hits.pulling[k] > 0;
                 q.gaining += hits.gaining[k] > 0;
+                q.outside += outside[k];
                 ++q.contacts;
             }
             serve(i);

@@ -90,8 +90,8 @@ impact::scatteringSampler::scatteringSampler(const setup& s)
     smooth_.nVertices = int(body.vertices().size());
     const bool simple = smooth_.ellipsoid || body.isBox();
     smooth_.vertices = simple ? nullptr : vertices_.data();
-    smooth_.normal = s.law.normal();
-    smooth_.tangential = s.law.tangential();
+    smooth_.normal = s.law.normal()(s.incidence, s.speed);
+    smooth_.tangential = s.law.other()(s.incidence, s.speed);
     vectorFlights_ = simple && body.symmetryAxis() >= 0;
 
     if (setup_.wall && setup_.wall->type() == relief::reliefType::rough)
@@ -127,7 +127,7 @@ impact::scatteringSampler::emptyStatistics() const
     // A sphere leaves at tan(alpha2) = (7/5) normal tan(alpha1): the angles
     // are summed relative to that
     const double reference =
-        arcTan2(-1.4*setup_.law.normal()*V1_.y, V1_.x + 1e-300);
+        arcTan2(-1.4*smooth_.normal*V1_.y, V1_.x + 1e-300);
     return scatteringStatistics
     (
         setup_.binWidth, reference, setup_.wall && setup_.sharedRelief

@@ -19,6 +19,7 @@ void impact::scatteringSampler::sampleSmooth
     if
     (
         setup_.law.law() != reboundLaw::lawType::restitution
+     || !setup_.law.isConstant()
      || !(still || setup_.body.isSphere())
     )
     {

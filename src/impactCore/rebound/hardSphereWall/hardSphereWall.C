@@ -3,17 +3,32 @@
 \*---------------------------------------------------------------------------*/
 
 #include "hardSphereWall.H"
-#include "outOfRange.H"
+
+typedef impact::reboundCoefficient coefficient;
 
 
-impact::hardSphereWall::hardSphereWall(double restitution, double friction)
+coefficient::quantity impact::hardSphereWall::restitutionQuantity()
+{
+    return {"restitution", 0, 1, coefficient::component::normal};
+}
+
+
+coefficient::quantity impact::hardSphereWall::frictionQuantity()
+{
+    return {"friction", 0, 1e6};
+}
+
+
+impact::hardSphereWall::hardSphereWall
+(
+    const reboundCoefficient& restitution,
+    const reboundCoefficient& friction
+)
 :
     restitution_(restitution),
-    friction_(friction)
-{
-    checkRange("restitution", restitution, "[0, 1]");
-    checkRange("friction", friction, "[0, 1e6]");
-}
+    friction_(friction),
+    constant_(restitution.isConstant() && friction.isConstant())
+{}
 
 
 impact::hardSphereWall impact::hardSphereWall::constant
@@ -22,7 +37,11 @@ impact::hardSphereWall impact::hardSphereWall::constant
     double friction
 )
 {
-    return hardSphereWall(restitution, friction);
+    return hardSphereWall
+    (
+        coefficient::constant(restitutionQuantity(), restitution),
+        coefficient::constant(frictionQuantity(), friction)
+    );
 }
 
 
@@ -33,8 +52,9 @@ impact::hardSphereWall impact::hardSphereWall::McNamaraFalcon
     double friction
 )
 {
-    checkRange("restitutionSpeed", speed, "(1e-100, 1e100) m/s");
-    hardSphereWall law(restitution, friction);
-    law.perSpeed_ = 1/speed;
-    return law;
+    return hardSphereWall
+    (
+        coefficient::McNamaraFalcon(restitutionQuantity(), restitution, speed),
+        coefficient::constant(frictionQuantity(), friction)
+    );
 }

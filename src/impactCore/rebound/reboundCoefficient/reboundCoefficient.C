@@ -6,7 +6,9 @@
 #include "outOfRange.H"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <fstream>
 #include <sstream>
 #include <stdexcept>
 
@@ -93,7 +95,7 @@ impact::reboundCoefficient impact::reboundCoefficient::constant
 {
     checkValue(q, q.name, value);
     reboundCoefficient c(formType::constant);
-    c.value_ = value;
+    c.value_ = c.least_ = value;
     return c;
 }
 
@@ -125,7 +127,94 @@ impact::reboundCoefficient impact::reboundCoefficient::table
     c.angles_ = angles;
     c.speeds_ = speeds;
     c.values_ = values;
+    c.least_ = *std::min_element(values.begin(), values.end());
     return c;
+}
+
+
+impact::reboundCoefficient impact::reboundCoefficient::table
+(
+    const quantity& q,
+    const std::string& fileName
+)
+{
+    const std::string what = q.name + " file \"" + fileName + '"';
+    std::ifstream file(fileName);
+    if (!file)
+    {
+        throwInvalid(what, " cannot be read");
+    }
+    std::vector<double> angles, speeds, values;
+    std::size_t columns = 0;
+    bool namesMayFollow = true;
+    std::string line;
+    for (int number = 1; std::getline(file, line); ++number)
+    {
+        std::replace(line.begin(), line.end(), ',', ' ');
+        const std::size_t first = line.find_first_not_of(" \t\r");
+        if (first == std::string::npos || line[first] == '#')
+        {
+            continue;
+        }
+        const bool names =
+            namesMayFollow
+         && std::isalpha(static_cast<unsigned char>(line[first]));
+        namesMayFollow = false;
+        if (names)
+        {
+            continue;
+        }
+        std::istringstream words(line);
+        std::vector<double> row;
+        for (double x; words >> x;)
+        {
+            row.push_back(x);
+        }
+        columns = columns ? columns : row.size();
+        if
+        (
+            !words.eof() || row.size() != columns
+         || (columns != 2 && columns != 3)
+        )
+        {
+            throwInvalid
+            (
+                what, ", line ", number, ": two numbers (angle value) or"
+                " three (angle speed value) expected, as in its first line"
+            );
+        }
+        const double speed = columns == 3 ? row[1] : 0;
+        if (angles.empty() || row[0] != angles.back())
+        {
+            angles.push_back(row[0]);
+        }
+        if (angles.size() == 1)
+        {
+            speeds.push_back(speed);
+        }
+        const std::size_t i = values.size() % speeds.size();
+        if
+        (
+            speed != speeds[i]
+         || angles.size() != values.size()/speeds.size() + 1
+        )
+        {
+            throwInvalid
+            (
+                what, ", line ", number, ": the points must be those of a"
+                " grid, every angle with the speeds of the first one"
+            );
+        }
+        values.push_back(row.back());
+    }
+    try
+    {
+        return table(q, angles, speeds, values);
+    }
+    catch (const std::invalid_argument& error)
+    {
+        throwInvalid(what, ": ", error.what());
+    }
 }
 
 
@@ -165,6 +254,7 @@ impact::reboundCoefficient impact::reboundCoefficient::polynomial
         c.speeds_ = {speedLow, speedHigh};
         checkGrid(q.name, "speedRange", c.speeds_, 0, 1e6);
     }
+    c.least_ = q.high;
     for (int i = 0; i <= 180; ++i)
     {
         for (int j = 0; j <= 64; ++j)
@@ -182,15 +272,108 @@ impact::reboundCoefficient impact::reboundCoefficient::polynomial
                     angle, " deg, ", speed, " m/s"
                 );
             }
+            c.least_ = std::min(c.least_, value);
         }
     }
     return c;
 }
 
 
-impact::reboundCoefficient impact::reboundCoefficient::corundumOnSteel()
+impact::reboundCoefficient impact::reboundCoefficient::McNamaraFalcon
+(
+    const quantity& q,
+    double value,
+    double speed
+)
 {
-    return reboundCoefficient(formType::corundumOnSteel);
+    checkValue(q, q.name, value);
+    checkRange(q.name + "Speed", speed, "(1e-100, 1e100) m/s");
+    reboundCoefficient c(formType::McNamaraFalcon);
+    c.value_ = value;
+    c.perSpeed_ = 1/speed;
+    return c;
+}
+
+
+std::vector<std::string> impact::reboundCoefficient::fits(const quantity& q)
+{
+    switch (q.of)
+    {
+        case component::normal:
+        {
+            return {"corundumOnSteel", "GrantTabakoff"};
+        }
+        case component::tangential:
+        {
+            return {"GrantTabakoff"};
+        }
+        case component::none:
+        {
+            break;
+        }
+    }
+    return {};
+}
+
+
+impact::reboundCoefficient impact::reboundCoefficient::fit
+(
+    const quantity& q,
+    const std::string& name
+)
+{
+    const std::vector<std::string> valid(fits(q));
+    if (std::find(valid.begin(), valid.end(), name) == valid.end())
+    {
+        throwInvalid(q.name, " has no fit ", name);
+    }
+    if (name == "corundumOnSteel")
+    {
+        return reboundCoefficient(formType::corundumOnSteel);
+    }
+    return q.of == component::normal
+      ? polynomial(q, {{0.993}, {-1.76}, {1.56}, {-0.49}}, 0, 90, 0, 0)
+      : polynomial(q, {{0.988}, {-1.66}, {2.11}, {-0.67}}, 0, 90, 0, 0);
+}
+
+
+bool impact::reboundCoefficient::dependsOnSpeed() const
+{
+    return
+        form_ == formType::McNamaraFalcon
+     || form_ == formType::corundumOnSteel
+     || speeds_.size() > 1;
+}
+
+
+std::string impact::reboundCoefficient::describe() const
+{
+    if (form_ == formType::corundumOnSteel)
+    {
+        return "corundumOnSteel";
+    }
+    std::ostringstream text;
+    text.precision(12);
+    if (form_ == formType::constant)
+    {
+        text<< value_;
+        return text.str();
+    }
+    if (form_ == formType::McNamaraFalcon)
+    {
+        text<< "McNamaraFalcon " << value_ << ' ' << 1/perSpeed_;
+        return text.str();
+    }
+    text<< (form_ == formType::table ? "table" : "polynomial");
+    for (const auto* list : {&angles_, &speeds_, &values_})
+    {
+        text<< ' ' << list->size();
+        for (const double x : *list)
+        {
+            text<< ' ' << x;
+        }
+    }
+    return text.str();
 }
 
 
@@ -233,6 +416,13 @@ double impact::reboundCoefficient::evaluate(double angle, double speed) const
                 sum = sum*x + row;
             }
             return sum;
+        }
+        case formType::McNamaraFalcon:
+        {
+            const double x = perSpeed_*speed*std::sin(radians*angle);
+            return x <= 1
+              ? 1 - (1 - value_)*std::pow(x, 0.2)
+              : value_/std::sqrt(std::sqrt(x));
         }
         case formType::corundumOnSteel:
         {

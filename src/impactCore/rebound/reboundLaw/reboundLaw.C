@@ -3,7 +3,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "reboundLaw.H"
-#include "outOfRange.H"
 #include "frictionImpact.H"
 
 #include <sstream>
@@ -31,16 +30,38 @@ vector3 response
 impact::reboundLaw::reboundLaw
 (
     lawType law,
-    double normal,
-    double tangential,
-    double friction
+    const reboundCoefficient& normal,
+    const reboundCoefficient& other
 )
 :
     law_(law),
     normal_(normal),
-    tangential_(tangential),
-    friction_(friction)
+    other_(other)
 {}
+
+
+impact::reboundCoefficient::quantity impact::reboundLaw::normalQuantity()
+{
+    return {"normal", 0, 1, reboundCoefficient::component::normal};
+}
+
+
+impact::reboundCoefficient::quantity impact::reboundLaw::tangentialQuantity()
+{
+    return {"tangential", -1, 1, reboundCoefficient::component::tangential};
+}
+
+
+impact::reboundCoefficient::quantity impact::reboundLaw::restitutionQuantity()
+{
+    return {"restitution", 0, 1, reboundCoefficient::component::normal};
+}
+
+
+impact::reboundCoefficient::quantity impact::reboundLaw::frictionQuantity()
+{
+    return {"friction", 0, 1e6};
+}
 
 
 impact::reboundLaw impact::reboundLaw::restitution
@@ -49,9 +70,11 @@ impact::reboundLaw impact::reboundLaw::restitution
     double tangential
 )
 {
-    checkRange("normal", normal, "[0, 1]");
-    checkRange("tangential", tangential, "[-1, 1]");
-    return reboundLaw(lawType::restitution, normal, tangential, 0);
+    return restitution
+    (
+        reboundCoefficient::constant(normalQuantity(), normal),
+        reboundCoefficient::constant(tangentialQuantity(), tangential)
+    );
 }
 
 
@@ -61,19 +84,43 @@ impact::reboundLaw impact::reboundLaw::coulomb
     double friction
 )
 {
-    checkRange("restitution", restitution, "[0, 1]");
-    checkRange("friction", friction, "[0, 1e6]");
-    return reboundLaw(lawType::friction, restitution, 0, friction);
+    return coulomb
+    (
+        reboundCoefficient::constant(restitutionQuantity(), restitution),
+        reboundCoefficient::constant(frictionQuantity(), friction)
+    );
+}
+
+
+impact::reboundLaw impact::reboundLaw::restitution
+(
+    const reboundCoefficient& normal,
+    const reboundCoefficient& tangential
+)
+{
+    return reboundLaw(lawType::restitution, normal, tangential);
+}
+
+
+impact::reboundLaw impact::reboundLaw::coulomb
+(
+    const reboundCoefficient& restitution,
+    const reboundCoefficient& friction
+)
+{
+    return reboundLaw(lawType::friction, restitution, friction);
 }
 
 
 impact::vector3 impact::reboundLaw::frictionImpulse
 (
+    double restitution,
+    double friction,
     const vector3& inertia,
     const vector3& r,
     const vector3& n,
     const vector3& Vc0
-) const
+)
 {
     vector3 t1 = std::fabs(n.x) < 0.6
         ? cross(n, vector3{1, 0, 0}) : cross(n, vector3{0, 1, 0});
@@ -91,11 +138,11 @@ impact::vector3 impact::reboundLaw::frictionImpulse
     const frictionImpact process
     (
         {
-            friction_,
+            friction,
             dot(t1, K1), dot(t1, K2), dot(t2, K2),
             dot(t1, Kn), dot(t2, Kn), dot(n, Kn)
         },
-        normal_, dot(t1, Vc0)/speed0, dot(t2, Vc0)/speed0, dot(n, Vc0)/speed0
+        restitution, dot(t1, Vc0)/speed0, dot(t2, Vc0)/speed0, dot(n, Vc0)/speed0
     );
     const frictionImpact::state& end = process.result();
     return
@@ -117,17 +164,22 @@ impact::impactRecord impact::reboundLaw::impact
     const vector3 Vc = V + cross(omega, r);
     const double vn = dot(Vc, n);
 
+    const impactPoint at =
+        isConstant() ? impactPoint() : impactPoint(Vc, n);
+    const double normal = normal_(at);
+    const double other = other_(at);
+
     impactRecord out;
+    out.outside = normal_.outside(at) || other_.outside(at);
     if (law_ == lawType::restitution)
     {
-        const vector3 dVc =
-            (tangential_ - 1)*Vc - ((normal_ + tangential_)*vn)*n;
+        const vector3 dVc = (other - 1)*Vc - ((normal + other)*vn)*n;
         out.dOmega = spinChange(inertia, r, dVc);
         out.dV = dVc - cross(out.dOmega, r);
     }
     else
     {
-        out.dV = frictionImpulse(inertia, r, n, Vc);
+        out.dV = frictionImpulse(normal, other, inertia, r, n, Vc);
         const vector3 m = cross(r, out.dV);
         out.dOmega = {m.x/inertia.x, m.y/inertia.y, m.z/inertia.z};
     }

@@ -9,14 +9,15 @@
 impact::reboundCoefficient::quantity
 impact::semiEmpiricalRebound::normalQuantity()
 {
-    return {"normal", 0, 1};
+    return {"normal", 0, 1, reboundCoefficient::component::normal};
 }
 
 
 impact::reboundCoefficient::quantity
 impact::semiEmpiricalRebound::tangentialQuantity()
 {
-    return {"tangential", 0, 1};
+    return
+        {"tangential", 0, 1, reboundCoefficient::component::tangential};
 }
 
 

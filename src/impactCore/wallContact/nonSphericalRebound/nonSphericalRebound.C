@@ -268,6 +268,7 @@ impact::wallDeparture impact::nonSphericalRebound::depart
     out.impacts = result.impacts + result.microImpacts;
     out.pulling = result.pulling;
     out.gaining = result.gaining;
+    out.outside = result.outside;
     out.capped = result.capped;
     return out;
 }

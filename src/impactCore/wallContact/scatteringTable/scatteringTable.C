@@ -115,11 +115,20 @@ std::vector<std::string> impact::scatteringTable::describe
             ' ', body.radius()/d, ' ', body.vertices().size()
         )
     );
+    if (s.law.dependsOnSpeed())
+    {
+        refuse
+        (
+            "a table holds for every speed: its law must not depend on it"
+        );
+    }
+    const std::string normal = s.law.normal().describe();
+    const std::string other = s.law.other().describe();
     lines.push_back
     (
         s.law.law() == reboundLaw::lawType::restitution
-      ? text("law restitution ", s.law.normal(), ' ', s.law.tangential())
-      : text("law friction ", s.law.normal(), ' ', s.law.friction())
+      ? text("law restitution ", normal, ' ', other)
+      : text("law friction ", normal, ' ', other)
     );
     if (!s.wall)
     {

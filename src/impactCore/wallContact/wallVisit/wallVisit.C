@@ -113,6 +113,7 @@ impact::visitResult impact::wallVisit::visitWith
             ++(record.approachSpeed > small ? out.impacts : out.microImpacts);
             out.pulling += record.pulling;
             out.gaining += record.gainsEnergy();
+            out.outside += record.outside;
         }
         ++impacts;
         const vector3 Vn =
