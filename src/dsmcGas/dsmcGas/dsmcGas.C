@@ -288,6 +288,7 @@ void Foam::dsmcGas::readCollisions()
     const dictionary& coeffs =
         properties_.subDict(exchange ? exchangeCoeffs : elasticCoeffs);
     const scalar Tref = getNumber(coeffs, "Tref", validRange::temperature);
+    referenceTemperature_ = Tref;
     const scalar Z =
         exchange
       ? getNumber(coeffs, "relaxationCollisionNumber", "[1, 1e12]") : 0;

@@ -270,11 +270,56 @@ void Foam::solidParticles::readExchange()
     {
         groups_[g].mass = exchange_->sizeOf(g).mass;
     }
+    readCorrection();
     if (exchange_->twoWay())
     {
         ledger_.resize(mesh_.nCells());
         readLedger();
     }
+}
+
+
+void Foam::solidParticles::readCorrection()
+{
+    const word name("knudsenCorrection");
+    if (!properties_.isDict(name))
+    {
+        getWord(properties_, name, {"off"});
+        return;
+    }
+    const dictionary& dict = properties_.subDict(name);
+    refuseOthers(dict, {"drag", "heat"});
+    const auto law = [&]
+    (
+        const word& entry,
+        const std::vector<std::string>& names
+    )
+    {
+        return getWordOf
+        (
+            dict, entry, "", wordList(names.begin(), names.end())
+        );
+    };
+    const word drag(law("drag", impact::knudsenCorrection::dragLaws()));
+    const word heat(law("heat", impact::knudsenCorrection::heatLaws()));
+    if (!(gas_.referenceTemperature() > 0))
+    {
+        FatalIOErrorInFunction(dict)
+            << "A gas without collisions between its molecules has no"
+            << " viscosity: its Knudsen number is infinite"
+            << exit(FatalIOError);
+    }
+    checked
+    (
+        properties_,
+        [&]
+        {
+            exchange_->correct(gas_.referenceTemperature(), drag, heat);
+            return true;
+        }
+    );
+    Info<< "    exchange corrected for the Knudsen number by " << drag
+        << " and " << heat << endl;
 }
 
 
@@ -585,6 +630,7 @@ void Foam::solidParticles::report()
         *value = std::int64_t(x + 0.5);
     }
     reduce(c.greatestHits, maxOp<scalar>());
+    reduce(c.leastForce, minOp<scalar>());
     impact::solidExchange::gains g = gains_;
     sumUp(g.solids);
     sumUp(g.gas);
@@ -609,6 +655,11 @@ void Foam::solidParticles::report()
         << " real ones, " << now.mass << " kg" << nl
         << "    solids gain: " << perTime*fromCore(g.solids.momentum)
         << " N, " << perTime*g.solids.energy << " W" << nl;
+    if (c.leastForce < 1)
+    {
+        Info<< "    least force over the free-molecular one: "
+            << c.leastForce << nl;
+    }
     if (exchange_->twoWay())
     {
         Info<< "    gas gains by collisions: "
@@ -812,8 +863,8 @@ Foam::solidParticles::solidParticles
         properties_,
         {
             "material", "groups", "accommodation", "exchange", "deflection",
-            "realPerSimulator", "fills", "inflows", "walls", "sampling",
-            "interface", "reportEvery", "randomSeed"
+            "knudsenCorrection", "realPerSimulator", "fills", "inflows",
+            "walls", "sampling", "interface", "reportEvery", "randomSeed"
         }
     );
     seed_ = getNumber<label>(properties_, "randomSeed", validRange::seed, 1);

@@ -94,6 +94,21 @@ EDITS = [   # name, change, texts that the message must hold
     ("wallLaw", replace("type specular",
                         "type hardSphereWall; restitution 1.2; friction 0"),
      ["restitution 1.2", "[0, 1]"]),
+    ("correction", replace("randomSeed 7",
+                           "randomSeed 7; knudsenCorrection on"),
+     ["knudsenCorrection on", "off"]),
+    ("correctionDrag", replace(
+        "randomSeed 7;", "randomSeed 7; knudsenCorrection { drag"
+        " haiderLevenspielDrag; heat kavanau; }"),
+     ["drag haiderLevenspielDrag", "singhDrag"]),
+    ("correctionHeat", replace(
+        "randomSeed 7;", "randomSeed 7; knudsenCorrection { drag singhDrag;"
+        " heat ranzMarshall; }"),
+     ["heat ranzMarshall", "kavanau"]),
+    ("correctionAccommodation", replace(
+        "accommodation 1.0;", "accommodation 0.9; knudsenCorrection { drag"
+        " singhDrag; heat kavanau; }"),
+     ["accommodation 0.9", "Knudsen"]),
     ("unknownEntry", replace("randomSeed 7", "seed 7"),
      ["Unknown entry seed", "randomSeed"]),
     ("unknownFillEntry", replace("simulators 100", "simulator 100"),
@@ -145,6 +160,8 @@ other = annotated.replace(lognormal, "") \
              lognormal.replace("\n// ", "\n")) \
     .replace("(1e3 2e2)", "1e3").replace("exchange        perCell",
                                          "exchange        perCollision") \
+    .replace(re.search(r"\nknudsenCorrection\n\{.*?\n\}", annotated,
+                       re.S).group(0), "\nknudsenCorrection off;") \
     .replace("deflection      exact", "deflection      polynomial") \
     .replace("massLoading     0.5;", "massFlow     1e-6;") \
     .replace("region          box;", "region          all;") \

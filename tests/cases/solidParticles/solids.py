@@ -2,6 +2,7 @@
 """Rebound, inflow, deposits, balances, restart, ranks and means."""
 
 import filecmp
+import math
 import os
 import re
 import shutil
@@ -164,10 +165,58 @@ verdict("loaded_stateOfTheGas", abs(now["U"][:, 0].mean()/800 - 1) < 0.02
 verdict("loaded_balance", changes(log).max() < 1e-12,
         f"greatest changes {changes(log)}")
 
+# --- grains at Kn 0.02, Re 20: force of Loth's law and heat of Kavanau's,
+# written down once more, not those of single molecules, ten times as large
+d, u, Tg, Tp, rho = 2e-4, 100., 300., 700., 0.0178
+m, gamma, Pr = NITROGEN["mass"], 1.4, 4*1.4/(9*1.4 - 5)
+omega = NITROGEN["omega"]
+mu = (15*np.sqrt(np.pi*m*K*273)/(2*np.pi*NITROGEN["diameter"]**2
+                                 * (5 - 2*omega)*(7 - 2*omega))
+      * (Tg/273)**omega)
+sound = np.sqrt(gamma*K*Tg/m)
+M, Re = u/sound, rho*u*d/mu
+kn = np.sqrt(np.pi*gamma/2)*M/Re
+s = M*np.sqrt(gamma/2)
+free = ((1 + 2*s**2)*np.exp(-s**2)/(np.sqrt(np.pi)*s**3)
+        + (4*s**4 + 4*s**2 - 1)*math.erf(s)/(2*s**4)
+        + 2/(3*s)*np.sqrt(np.pi*Tp/Tg))
+J = 2.26 - 0.1/M + 0.14/M**3
+C1 = (24/Re*(1 + 0.15*Re**0.687)
+      / (1 + kn*(2.514 + 0.8*np.exp(-0.55/kn))))
+C2 = free/(1 + (free/J - 1)*np.sqrt(Re/45))
+force = np.pi/8*d**2*rho*u**2*(C1 + M**4*C2)/(1 + M**4)
+Nu0 = 2 + 0.6*np.sqrt(Re)*Pr**(1/3)
+Nu = Nu0/(1 + 3.42*Nu0*M/Re/Pr)
+heat = np.pi*d*Nu*(3.5*K/m*mu/Pr)*(
+    Tg*(1 + np.sqrt(Pr)*0.2*M**2) - Tp)
+write_gas("dense", PERIODIC, (2, 2, 2), (0.01, 0.01, 0.01), weight=rho/m*1e-11,
+          density=rho/m, T=Tg, U=(u, 0, 0), gas={"N2": NITROGEN},
+          collisions="LarsenBorgnakkeVariableHardSphere",
+          control={"deltaT": 1e-8, "endTime": 1e-8})
+write_solids("dense", fill(1e-3, T=Tp, simulators=100)
+             + "knudsenCorrection { drag lothDrag; heat kavanau; }\n",
+             walls=None, diameters=(d,))
+log = solve("dense")
+number = 1e-9/(2700*np.pi/6*d**3)
+gain = np.array(re.search(rf"solids gain: \({NUMBER} {NUMBER} {NUMBER}\) N,"
+                          rf" {NUMBER} W", log).groups(), float)/number
+verdict("dense_followsTheLaws", abs(gain[0]/force - 1) < 0.02
+        and abs(gain[3]/heat - 1) < 0.02,
+        f"Kn {kn:.3f}: force {gain[0]/force:.3f}, heat {gain[3]/heat:.3f} of"
+        f" the laws'")
+told = re.search(rf"force over the free-molecular one: {NUMBER}\n", log)
+verdict("dense_reportsItsFactor", told is not None and abs(
+    float(told.group(1))/(force/(np.pi/8*d**2*rho*u**2*free)) - 1) < 0.05,
+        told.group(0).strip() if told else "nothing")
+verdict("dense_balance", changes(log).max() < 1e-12,
+        f"greatest changes {changes(log)}")
+
 # --- both phases in a closed box: balance, restart to the bit, two ranks
 types = dict(PERIODIC, zMin="wall", zMax="wall")
-for exchange in ("perCell", "perCollision"):
-    name = f"box_{exchange}"
+CORRECTED = "knudsenCorrection { drag singhDrag; heat kavanau; }\n"
+for name, exchange, more in (("box_perCell", "perCell", ""),
+                             ("box_corrected", "perCell", CORRECTED),
+                             ("box_perCollision", "perCollision", "")):
     write_gas(name, types, (4, 4, 4), (0.004, 0.004, 0.004), weight=5e11,
               density=1e23, T=400., gas={"N2": NITROGEN},
               collisions="LarsenBorgnakkeVariableHardSphere",
@@ -175,7 +224,7 @@ for exchange in ("perCell", "perCollision"):
               control={"deltaT": 1e-6, "endTime": 4e-5, "writeInterval": 20})
     write_solids(
         name, fill(5e-3, (300, 0, -100), 2000., 1000)
-        + "sampling { fields (numberDensity U T exchange surface); }\n",
+        + "sampling { fields (numberDensity U T exchange surface); }\n" + more,
         exchange=exchange, diameters=(1e-6, 2e-6))
     copy_case(name, name + "_parallel")
     log = solve(name)

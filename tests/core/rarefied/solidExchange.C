@@ -437,3 +437,160 @@ TEST(solidExchange, refusesBadInput)
         std::invalid_argument
     );
 }
+
+
+TEST(solidExchange, followsDragAndHeatLawsAtAllKnudsenNumbers)
+{
+    // Force and heat on a sphere in a cell of many molecules against the laws,
+    // with the state and the viscosity of the gas that made the molecules:
+    // nitrogen, from free-molecular flow to continuum
+    const std::vector<cellCollisions::species> nitrogen = {kinds[1]};
+    const double T = 300, speed = 200, Tp = 700, d = 2e-4, Tref = 273;
+    const double gamma = 1.4, Pr = 4*gamma/(9*gamma - 5);
+    const double m = nitrogen[0].mass, omega = nitrogen[0].omega;
+    const double a = std::sqrt(gamma*k*T/m), M = speed/a;
+    const double mu = 15*std::sqrt(M_PI*m*k*Tref)
+       /(
+            2*M_PI*std::pow(nitrogen[0].diameter, 2)
+           *(5 - 2*omega)*(7 - 2*omega)
+        )*std::pow(T/Tref, omega);
+
+    // Bird's 1.656e-5 Pa s at 273 K, to the three digits of the diameter
+    EXPECT_NEAR(mu/(1.656e-5*std::pow(T/Tref, omega)), 1, 0.0024);
+
+    const int n = 400000;
+    std::vector<double> u, v, w, e;
+    const std::vector<std::int32_t> kind(n, 0);
+    const double c = std::sqrt(k*T/m);
+    for (int i = 0; i < n; ++i)
+    {
+        counterRandom rnd(23, i);
+        u.push_back(speed + c*rnd.normal());
+        v.push_back(c*rnd.normal());
+        w.push_back(c*rnd.normal());
+        e.push_back(k*T*maxwellian::internalEnergy(2, rnd));
+    }
+    const cellCollisions::molecules gas =
+    {
+        n, nullptr, nullptr, nullptr, u.data(), v.data(), w.data(), e.data(),
+        kind.data()
+    };
+    const double weight = 1, dt = 1e-9;
+    for (const std::string& drag : knudsenCorrection::dragLaws())
+    {
+        dragLaw::coefficients dc;
+        dc.gamma = gamma;
+        const auto Cd = dragLaw::New(drag, dc);
+        heatLaw::coefficients hc;
+        hc.gamma = gamma;
+        hc.Pr = Pr;
+        const auto Nu = heatLaw::New("kavanau", hc);
+        double first = 0, last = 0;
+        for (const double Kn : {1e-3, 0.1, 1., 10., 1e4})
+        {
+            // Kn = sqrt(pi gamma/2) M/Re
+            const double K = Kn/std::sqrt(0.5*M_PI*gamma);
+            const double rho = mu/(K*d*a);
+            double rate[2], heat[2];
+            for (const bool corrected : {false, true})
+            {
+                solidExchange x
+                (
+                    nitrogen, {2700, 900, 1}, {d}, mode::none,
+                    sphereReflection::law::exact, 7
+                );
+                if (corrected)
+                {
+                    x.correct(Tref, drag, "kavanau");
+                }
+                double up = 0, vp = 0, wp = 0, Ts = Tp, number = 1;
+                const std::int32_t group = 0;
+                solidExchange::counts counts;
+                balance ledger;
+                x.exchange
+                (
+                    gas, {1, &up, &vp, &wp, &Ts, &number, &group}, weight,
+                    weight*n*m/rho, dt, ledger, 0, 0, counts
+                );
+                const double mass = x.sizeOf(0).mass;
+                rate[corrected] = mass*up/dt;
+                heat[corrected] = mass*900*(Ts - Tp)/dt;
+            }
+            const auto q = (*Nu)(M/K, K);
+            const double wanted =
+                M_PI/8*d*mu*speed*Cd->CdRe(M/K, K, Tp/T);
+            const double wantedHeat = M_PI*d*q.Nu
+               *(gamma/(gamma - 1)*k/m*mu/Pr)*(q.TawOverT*T - Tp);
+            EXPECT_NEAR(rate[1]/wanted, 1, 0.01) << drag << ' ' << Kn;
+            EXPECT_NEAR(heat[1]/wantedHeat, 1, 0.01) << Kn;
+            last = rate[1]/rate[0];
+            first = first > 0 ? first : last;
+        }
+        // Far from it in continuum, and as it is in free-molecular flow,
+        // where the other two laws do not know the temperature of the sphere
+        EXPECT_LT(first, 0.1) << drag;
+        EXPECT_NEAR(last, 1, drag == "singhDrag" ? 2e-3 : 0.16) << drag;
+    }
+}
+
+
+TEST(solidExchange, keepsBalancesWhenCorrected)
+{
+    for (const mode m : {mode::perCell, mode::none})
+    {
+        auto exchange = make(m, 1, 2e-4);
+        exchange.correct(273, "lothDrag", "kavanau");
+        cell c(200, 900, 600, 3, 2000, 5);
+        solidExchange::counts counts;
+        balance ledger;
+        const double weight = 1e16, V = 1e-6;
+        for (int step = 0; step < 20; ++step)
+        {
+            const balance g0 = exchange.of(c.gas());
+            const balance s0 = exchange.of(c.solids());
+            const balance l0 = ledger;
+            const double size = scale(exchange, c, weight);
+            exchange.exchange
+            (
+                c.gas(), c.solids(), weight, V, 1e-6, ledger, 0, step, counts
+            );
+            balance change = weight*(exchange.of(c.gas()) - g0);
+            change += exchange.of(c.solids()) - s0;
+            change += ledger - l0;
+            if (m == mode::perCell)
+            {
+                EXPECT_LT(std::fabs(change.energy), 1e-12*size);
+                EXPECT_LT(mag(change.momentum), 1e-12*size/900);
+            }
+        }
+        // It was far from free-molecular
+        EXPECT_LT(counts.leastForce, 0.5);
+        EXPECT_GT(counts.leastForce, 0);
+        EXPECT_EQ(counts.collisions > 0, m == mode::perCell);
+    }
+    EXPECT_THROW
+    (
+        make(mode::perCollision).correct(273, "lothDrag", "kavanau"),
+        std::invalid_argument
+    );
+    EXPECT_THROW
+    (
+        make(mode::perCell, 0.9).correct(273, "lothDrag", "kavanau"),
+        std::invalid_argument
+    );
+    EXPECT_THROW
+    (
+        make(mode::perCell).correct(273, "haiderLevenspielDrag", "kavanau"),
+        std::invalid_argument
+    );
+    EXPECT_THROW
+    (
+        make(mode::perCell).correct(273, "lothDrag", "ranzMarshall"),
+        std::invalid_argument
+    );
+    EXPECT_THROW
+    (
+        make(mode::perCell).correct(0, "lothDrag", "kavanau"),
+        std::invalid_argument
+    );
+}

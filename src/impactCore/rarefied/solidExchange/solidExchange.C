@@ -44,6 +44,37 @@ impact::solidExchange::solidExchange
 }
 
 
+void impact::solidExchange::correct
+(
+    double referenceTemperature,
+    const std::string& drag,
+    const std::string& heat
+)
+{
+    if (mode_ == mode::perCollision)
+    {
+        throwInvalid
+        (
+            "exchange perCollision gives spheres what single molecules bring:"
+            " a correction for the Knudsen number needs perCell or none"
+        );
+    }
+    if (material_.accommodation != 1)
+    {
+        throwOutOfRange
+        (
+            "accommodation", material_.accommodation,
+            "[1, 1] with a correction for the Knudsen number, whose laws are"
+            " those of diffuse reflection"
+        );
+    }
+    correction_ = std::make_unique<knudsenCorrection>
+    (
+        species_, referenceTemperature, drag, heat
+    );
+}
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 impact::solidExchange::bound impact::solidExchange::findBound
@@ -239,6 +270,10 @@ impact::solidExchange::gains impact::solidExchange::exchange
         {
             transfer_.gather(gas);
             total.pairs += std::int64_t(gas.n)*nOthers;
+            if (correction_)
+            {
+                correction_->gather(gas, weight/volume);
+            }
         }
         bound b{};
         if (twoWay())
@@ -254,9 +289,15 @@ impact::solidExchange::gains impact::solidExchange::exchange
             const vector3 v0{solids.u[j], solids.v[j], solids.w[j]};
             const double T0 = solids.temperature[j];
             sphereTransfer::sphere s{v0, T0, shape.radius, shape.mass};
+            knudsenCorrection::factors f;
+            if (correction_)
+            {
+                f = correction_->of(s);
+                total.leastForce = std::fmin(total.leastForce, f.force);
+            }
             if (twoWay())
             {
-                hits += solids.number[j]*M_PI*shape.radius*shape.radius
+                hits += f.force*solids.number[j]*M_PI*shape.radius*shape.radius
                    *(mag(v0 - b.mean) + b.thermal)*deltaT/volume;
                 if (!(hits < mostHits))
                 {
@@ -270,16 +311,19 @@ impact::solidExchange::gains impact::solidExchange::exchange
                 }
                 scatter
                 (
-                    gas, s, solids.number[j], weight, deltaT/volume, both, b,
+                    gas, s, solids.number[j], weight,
+                    f.force*(deltaT/volume), both, b,
                     rnd, g, total
                 );
             }
             if (!both)
             {
-                transfer_.advance
-                (
-                    s, transfer_.on(s, weight/volume), deltaT
-                );
+                sphereTransfer::rates r = transfer_.on(s, weight/volume);
+                r.force = f.force*r.force;
+                r.dragRate *= f.force;
+                r.heating *= f.heating;
+                r.coolingRate *= f.cooling;
+                transfer_.advance(s, r, deltaT);
             }
             solids.u[j] = s.velocity.x;
             solids.v[j] = s.velocity.y;
