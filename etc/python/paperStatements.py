@@ -217,7 +217,10 @@ at("adhesion/silicaLayer",
     (0.7795, 0.7805), "the constants are rebuilt from the numbers that"
     " survive of the source; no one dissipation parameter for both contacts"
     " gives both speeds (one of the wall of 1.147 does), nor does the"
-    " coupling by Newton's law"),
+    " coupling by Newton's law, nor one law that falls with the restitution,"
+    " which leaves the wall the parameter of its capture (0.780 m/s at"
+    " least); one that falls with the speed, from 1.189 at 0.394 m/s to 1.130"
+    " at 0.695 m/s, does (alphas.png of the tutorial)"),
    ("adhesion.chainOverlapGrows", "2.1, fig. 12",
     "且随着入射速度的增大,最大接触位移峰值增加",
     "the largest overlap of P1 grows with the speed",

@@ -91,26 +91,6 @@ List<scalar> readSpeeds(const dictionary& dict)
 }
 
 
-//- The constant alpha of one contact of the chain
-scalar readChainAlpha
-(
-    const dictionary& dict,
-    const impact::dissipationLaw& law
-)
-{
-    if (dict.found("alpha"))
-    {
-        return getNumber(dict, "alpha", "[0, 10]");
-    }
-    if (!law.isConstant())
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry alpha is needed: the one outside chain is not constant"
-            << exit(FatalIOError);
-    }
-    return law.coeffs()[0];
-}
-
 } // End anonymous namespace
 
 
@@ -196,9 +176,9 @@ Foam::jkrImpactSetup::jkrImpactSetup
             return impact::contactChain
             (
                 adhesionEntries::contact(first, {"alpha"}),
-                readChainAlpha(first, law),
+                adhesionEntries::chainAlpha(first, "alpha", law),
                 adhesionEntries::contact(second, {"alpha"}),
-                readChainAlpha(second, law),
+                adhesionEntries::chainAlpha(second, "alpha", law),
                 oneWay
               ? impact::chainCoupling::oneWay
               : impact::chainCoupling::twoWay,

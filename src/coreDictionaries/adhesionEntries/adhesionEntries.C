@@ -167,20 +167,48 @@ scalar particleModulus(const dictionary& dict, const dictionary& layer)
 
 
 //- A constant alpha of the layer, that of the patch if there is none
-scalar layerAlpha
+} // End anonymous namespace
+
+
+impact::chainAlpha Foam::adhesionEntries::chainAlpha
 (
-    const dictionary& layer,
+    const dictionary& dict,
     const word& entry,
     const impact::dissipationLaw& law
 )
 {
-    return
-        law.isConstant()
-      ? getNumber(layer, entry, alphaRange, law.coeffs()[0])
-      : getNumber(layer, entry, alphaRange);
+    if (dict.isDict(entry))
+    {
+        const dictionary& coeffs = dict.subDict(entry);
+        getWordOf(coeffs, "type", "", {"table"});
+        refuseOthers(coeffs, {"type", "speeds", "values"});
+        const scalarList speeds
+        (
+            getList(coeffs, "speeds", "[0, 3e8) m/s, less than light")
+        );
+        const scalarList values(getList(coeffs, "values", alphaRange));
+        return checked
+        (
+            coeffs,
+            [&]
+            {
+                return impact::chainAlpha
+                (
+                    std::vector<double>(speeds.begin(), speeds.end()),
+                    std::vector<double>(values.begin(), values.end())
+                );
+            }
+        );
+    }
+    if (!dict.found(entry) && !law.isConstant())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry " << entry << " is needed: the alpha that would be its"
+            << " default is not constant" << exit(FatalIOError);
+    }
+    return dict.found(entry)
+      ? getNumber(dict, entry, alphaRange) : law.coeffs()[0];
 }
-
-} // End anonymous namespace
 
 
 impact::jkrContact Foam::adhesionEntries::contact
@@ -445,8 +473,8 @@ impact::adhesiveRebound Foam::adhesionEntries::wall
                 particleModulus(dict, layer),
                 getNumber(layer, "workOfAdhesion", validRange::adhesion)
             },
-            layerAlpha(layer, "alpha", alpha),
-            layerAlpha(layer, "wallAlpha", alpha),
+            chainAlpha(layer, "alpha", alpha),
+            chainAlpha(layer, "wallAlpha", alpha),
             getWordOf(layer, "coupling", "twoWay", {"twoWay", "oneWay"})
          == "twoWay"
           ? impact::chainCoupling::twoWay : impact::chainCoupling::oneWay

@@ -238,6 +238,11 @@ TEST(contactChain, isFiniteAndDecidedAtExtremes)
 TEST(contactChain, refusesWhatIsOutOfRange)
 {
     const chainCoupling coupling = chainCoupling::oneWay;
+    EXPECT_THROW(chainAlpha({}, {}), std::invalid_argument);
+    EXPECT_THROW(chainAlpha({1, 2}, {1}), std::invalid_argument);
+    EXPECT_THROW(chainAlpha({1, 1}, {1, 1}), std::invalid_argument);
+    EXPECT_THROW(chainAlpha({1, 2}, {1, 11}), std::invalid_argument);
+    EXPECT_THROW(chainAlpha({-1, 2}, {1, 1}), std::invalid_argument);
     EXPECT_THROW
     (
         contactChain(wall, 1, pair, 1, coupling), std::invalid_argument
@@ -260,4 +265,48 @@ TEST(contactChain, refusesWhatIsOutOfRange)
         chain(coupling).threshold(event::firstRebounds, 0.1, 0.2),
         std::invalid_argument
     );
+}
+
+
+TEST(contactChain, takesAlphaAtTheSpeedOfTheImpact)
+{
+    // As the chain of constants that are worked out by hand
+    const chainAlpha falls({0.4, 0.8}, {1.2, 1.0});
+    const chainAlpha rises({0.3, 0.5, 1}, {0.9, 1.1, 1.3});
+    for
+    (
+        const chainCoupling coupling :
+        {chainCoupling::oneWay, chainCoupling::twoWay}
+    )
+    {
+        const contactChain c(pair, falls, wall, rises, coupling);
+        const double wanted[][3] =
+        {
+            {0.2, 1.2, 0.9}, {0.45, 1.175, 1.05}, {0.6, 1.1, 1.14},
+            {0.9, 1, 1.26}, {2, 1, 1.3}
+        };
+        for (const auto& [V, a, aw] : wanted)
+        {
+            const chainOutcome x = c.impact(V);
+            const chainOutcome y = chain(coupling, a, aw).impact(V);
+            EXPECT_EQ(x.firstCaptured, y.firstCaptured) << V;
+            EXPECT_EQ(x.secondDetached, y.secondDetached) << V;
+            EXPECT_NEAR(x.firstSpeed, y.firstSpeed, 1e-8*V);
+            EXPECT_NEAR(x.secondSpeed, y.secondSpeed, 1e-8*V);
+            EXPECT_NEAR(x.maxOverlap2, y.maxOverlap2, 1e-8*y.maxOverlap2);
+        }
+    }
+
+    // One alpha(V) for both contacts that keeps P1's speed of capture and
+    // takes off P2 at the source's speed: alpha 1.1891 up to 0.394 m/s, less
+    // above
+    const auto detaches = [&](double at)
+    {
+        const chainAlpha law({0.394, 0.695}, {alpha, at});
+        const contactChain c(pair, law, wall, law, chainCoupling::oneWay);
+        EXPECT_NEAR(c.threshold(event::firstRebounds, 0.1, 2), 0.394, 5e-4);
+        return c.threshold(event::secondDetaches, 0.1, 2);
+    };
+    EXPECT_GT(detaches(alpha), 0.75);
+    EXPECT_LT(detaches(0.9), 0.69);
 }

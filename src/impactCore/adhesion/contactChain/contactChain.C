@@ -81,17 +81,17 @@ struct chainRate
 impact::contactChain::contactChain
 (
     const jkrContact& first,
-    double alpha1,
+    const chainAlpha& alpha1,
     const jkrContact& second,
-    double alpha2,
+    const chainAlpha& alpha2,
     chainCoupling coupling,
     double tolerance
 )
 :
     first_(first),
     second_(second),
-    alpha1_(jkrMotion(alpha1).alpha()),
-    alpha2_(jkrMotion(alpha2).alpha()),
+    alpha1_(alpha1),
+    alpha2_(alpha2),
     coupling_(coupling),
     tolerance_(tolerance)
 {
@@ -134,8 +134,8 @@ impact::chainOutcome impact::contactChain::run
     {
         unit1.curve,
         unit2.curve,
-        alpha1_,
-        alpha2_,
+        alpha1_(speed),
+        alpha2_(speed),
         unit2.length/unit1.length,
         unit2.force/unit1.force,
         unit2.speed/unit1.speed,

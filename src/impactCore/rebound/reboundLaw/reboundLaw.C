@@ -142,7 +142,8 @@ impact::vector3 impact::reboundLaw::frictionImpulse
             dot(t1, K1), dot(t1, K2), dot(t2, K2),
             dot(t1, Kn), dot(t2, Kn), dot(n, Kn)
         },
-        restitution, dot(t1, Vc0)/speed0, dot(t2, Vc0)/speed0, dot(n, Vc0)/speed0
+        restitution,
+        dot(t1, Vc0)/speed0, dot(t2, Vc0)/speed0, dot(n, Vc0)/speed0
     );
     const frictionImpact::state& end = process.result();
     return
