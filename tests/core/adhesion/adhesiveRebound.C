@@ -291,3 +291,31 @@ TEST(adhesiveRebound, refuses)
     EXPECT_THROW(law.setLayer({{1e9, 0.1}, 11, 1}), std::invalid_argument);
     EXPECT_THROW(law.setLayer({{1e9, 0.1}, 1, -1}), std::invalid_argument);
 }
+
+
+TEST(adhesiveRebound, aLayerTakesAlphaAtTheSpeedOfArrival)
+{
+    adhesiveRebound byTable = wall(), byNumbers = wall();
+    byTable.setLayer
+    (
+        {silica, chainAlpha({0.5, 1.5}, {1.2, 0.8}), chainAlpha({1}, {0.9})}
+    );
+    int differ = 0;
+    for (const double V : {0.2, 0.75, 1., 1.5, 4.})
+    {
+        const double alpha = V < 0.5 ? 1.2 : V > 1.5 ? 0.8 : 1.4 - 0.4*V;
+        byNumbers.setLayer({silica, alpha, 0.9});
+        sphereState a = {{0.3, -V, 0}, {0, 0, 0}}, a2, b = a, b2;
+        const auto x = byTable.rebound(n, grain, a, grain, a2);
+        const auto y = byNumbers.rebound(n, grain, b, grain, b2);
+        EXPECT_EQ(x.captured, y.captured) << V;
+        EXPECT_EQ(x.detached, y.detached) << V;
+        EXPECT_LT(mag(a.V - b.V) + mag(a2.V - b2.V), 1e-7*V) << V;
+
+        byNumbers.setLayer({silica, 1.0, 0.9});
+        sphereState c = {{0.3, -V, 0}, {0, 0, 0}}, c2;
+        byNumbers.rebound(n, grain, c, grain, c2);
+        differ += mag(a.V - c.V) + mag(a2.V - c2.V) > 1e-3*V;
+    }
+    EXPECT_GE(differ, 3);
+}
