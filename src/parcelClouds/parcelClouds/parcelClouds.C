@@ -14,7 +14,7 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::wordList Foam::parcelClouds::readNames(const fvMesh& mesh)
+Foam::wordList Foam::parcelClouds::readEntries(const fvMesh& mesh)
 {
     IOobject io
     (
@@ -33,7 +33,7 @@ Foam::wordList Foam::parcelClouds::readNames(const fvMesh& mesh)
     }
 
     const IOdictionary dict(io);
-    refuseOthers(dict, {"clouds"});
+    refuseOthers(dict, {"clouds", "sourceSmoothing"});
     const wordList names(dict.get<wordList>("clouds"));
     Info<< "Clouds: " << (names.empty() ? "none" : listed(names).c_str())
         << nl << endl;
@@ -44,6 +44,14 @@ Foam::wordList Foam::parcelClouds::readNames(const fvMesh& mesh)
         {
             refuse(dict, "clouds", name, "a list of different names");
         }
+    }
+    if (dict.found("sourceSmoothing"))
+    {
+        const scalar length =
+            getNumber(dict, "sourceSmoothing", "(0, 1e3] m");
+        smoothing_.reset(new sourceSmoothing(mesh, length));
+        Info<< "What clouds give to the gas is spread over " << length
+            << " m" << nl << endl;
     }
     return names;
 }
@@ -131,9 +139,10 @@ Foam::parcelClouds::parcelClouds
     thermo_(thermo),
     mu_(nullptr),
     g_(readG(mesh)),
-    clouds_()
+    clouds_(),
+    smoothing_(nullptr)
 {
-    const wordList names(readNames(mesh));
+    const wordList names(readEntries(mesh));
     if (names.empty())
     {
         return;
@@ -185,6 +194,11 @@ void Foam::parcelClouds::evolve
             momentum_ = Zero;
             energy_ = 0;
             clouds_[i].give(momentum_, energy_);
+            if (smoothing_.valid())
+            {
+                smoothing_->spread(momentum_);
+                smoothing_->spread(energy_);
+            }
             receive(momentum_, energy_);
             if (i + 1 < clouds_.size())
             {

@@ -151,6 +151,92 @@ off = np.abs(u - w).max()/np.linalg.norm(w), abs(found/T - 1)
 verdict("two_clouds", max(off) < 1e-10, "off by %.1e, %.1e" % off)
 
 
+# Sources spread over a length: the kernel of one implicit step on a periodic
+# line, the totals, ranks. So short a step that the gas does not carry it on
+def spread_out(case, length, steps=1, dt=1e-12, number=None):
+    sealed(case, 1, 1e-7, steps, dt, u=U0, T=T0, T_dust=TD,
+           cells=(40, 1), number=number, writes=min(steps, 2))
+    write_foam(case, "constant/positions", "((0.0105 0.0005 0.0005))",
+               "vectorField")
+    if length:
+        write_foam(case, "constant/parcelClouds",
+                   f"clouds (sand); sourceSmoothing {length!r};")
+
+
+GRAINS = 100*1e-9*DENSITY/(2500*np.pi/6*1e-21)
+for name, length in (("pointed", 0), ("spread", 0.003), ("bare", 0)):
+    spread_out(name, length, number=GRAINS if name != "bare" else 1e-12*GRAINS)
+    solve(name)
+
+
+def received(case):
+    """Momentum along x and y [kg m/s] and energy [J] of each cell."""
+    rho, p, T, u = (np.full((40, w), np.reshape(q, (-1, w))) for w, q in zip(
+        (1, 1, 1, 3), last_fields(case, "rho p T U")))
+    rho, p, T = rho[:, 0], p[:, 0], T[:, 0]
+    e = (CP - p/(rho*T))*T + 0.5*np.sum(u**2, axis=1)
+    return 1e-9*np.column_stack((rho*u[:, 0], rho*u[:, 1], rho*e))
+
+
+bare = received("bare")
+pointed, wide = (received(case) - bare for case in ("pointed", "spread"))
+line = np.eye(40)
+laplace = np.roll(line, 1, 0) + np.roll(line, -1, 0) - 2*line
+kernel = np.linalg.solve(line - 0.5*(0.003/0.001)**2*laplace, line[10])
+off = np.abs(wide/pointed[10] - kernel[:, None]).max()
+total = np.abs(wide.sum(axis=0) - pointed.sum(axis=0))/bare.sum(axis=0)
+x = np.arange(40) - 10.
+width = np.sqrt(np.sum(kernel[:21]*x[:21]**2)/np.sum(kernel[:21]))
+verdict("smoothing", off < 1e-5*kernel.max() and total.max() < 1e-14,
+        "off the exact spread (%.2g of the source in the cell of the grain,"
+        " deviation %.2f cells of 3) by %.1e; totals of momentum and energy"
+        " by %.1e of the gas'" % (kernel[10], width, off, total.max()))
+
+spread_out("spreadSerial", 0.003, 10, 1e-7, 1e-2*GRAINS)
+ranks = copy_case("spreadSerial", "spreadRanks")
+half = copy_case("spreadSerial", "spreadHalf")
+solve("spreadSerial")
+decompose(ranks)
+solve(ranks, 2)
+must(ranks, "reconstructPar", "-latestTime")
+apart = max(np.abs(a - b).max()/np.abs(b).max() for a, b in zip(
+    last_fields("spreadSerial", "T p U"), last_fields(ranks, "T p U")))
+must(".", "rm", "-rf", ranks)
+verdict("smoothing_on_ranks", apart < 1e-12,
+        "two ranks differ from one by %.1e" % apart)
+edit(half, "system/controlDict", "endTime 1e-06", "endTime 5e-07")
+solve(half)
+edit(half, "system/controlDict", "endTime 5e-07", "endTime 1e-06")
+solve(half)
+verdict("smoothing_restarts", all(
+    np.array_equal(a, b) for a, b in zip(
+        last_fields("spreadSerial", "T p U"), last_fields(half, "T p U"))),
+        "to the bit")
+
+# Stiff grains, everywhere and in one cell of ten times the mass of its gas:
+# nothing leaves the range of what was there (but for waves of sound), and the
+# energy is that without smoothing
+energies = []
+for name, length in (("heavy", 0), ("heavySpread", 0.003)):
+    sealed(name, 10, 1e-7, 40, 5e-7, u=U0, T=np.repeat([500., 700.], 20),
+           T_dust=TD, cells=(40, 1))
+    if length:
+        write_foam(name, "constant/parcelClouds",
+                   f"clouds (sand); sourceSmoothing {length!r};")
+    solve(name)
+    energies.append(received(name)[:, 2].sum() + dust_energy(name))
+spread_out("heavyCell", 0.003, 200, 5e-7, 0.1*GRAINS)
+solve("heavyCell")
+for name, hottest in (("heavySpread", 700), ("heavyCell", 1.05*T0)):
+    u, T = last_fields(name, "U T")
+    verdict("smoothing_" + name, u[:, 0].min() > 0 and u[:, 0].max() < 300
+            and TD < T.min() and T.max() < hottest,
+            "velocities %.4g to %.4g m/s, temperatures %.4g to %.4g K" % (
+                u[:, 0].min(), u[:, 0].max(), T.min(), T.max()))
+off = energies[1]/energies[0] - 1
+verdict("smoothing_keeps_energy", abs(off) < 1e-12, "off by %.1e" % off)
+
+
 # What collisions and walls of the box lose heats the grains
 def colliding(cloud):
     return cloud.replace(
