@@ -234,6 +234,21 @@ def binary_list(path, width):
                          head.end()).reshape(-1, width)
 
 
+def parcel_rows(case, cloud, name, width):
+    """Numbers of a field of parcels at the latest time, in an ASCII file, one
+    row per parcel."""
+    with open(os.path.join(case, times_of(case)[-1], "lagrangian", cloud,
+                           name)) as file:
+        text = file.read()
+    if "{" in text.split("// * *", 1)[1]:
+        n, value = re.search(r"\n(\d+)\{(.*)\}", text).groups()
+        return np.tile(np.array(value.strip("()").split(), float),
+                       (int(n), 1))
+    body = re.search(r"\n\d+\s*\((.*)\)", text, re.S).group(1)
+    return np.array(re.sub("[()]", " ", body).split(), float).reshape(
+        -1, width)
+
+
 def times_of(case):
     names = [d for d in os.listdir(case)
              if re.fullmatch(r"[0-9][0-9.e+-]*", d)]

@@ -2,13 +2,12 @@
 """Free flight of the spin-carrying cloud through a wedge, past and through its
 axis; stands in a temporary folder."""
 
-import os
 import re
 
 import numpy as np
 
-from caseTools import (complaint, copy_case, edit, must, run, solve, times_of,
-                       verdict, write_case, write_field, write_foam)
+from caseTools import (complaint, copy_case, edit, must, parcel_rows, run,
+                       solve, verdict, write_case, write_field, write_foam)
 
 CLOUD = """
 type spinningKinematicCloud;
@@ -92,20 +91,6 @@ rested = sum(int(n) for n in re.findall(
     r"cut, uncontrolled, at rest *= *\d+, \d+, (\d+)", log))
 
 
-def rows(cloud, name, width):
-    """Numbers of a field in an ASCII file, one row per parcel."""
-    with open(os.path.join(case, times_of(case)[-1], "lagrangian", cloud,
-                           name)) as file:
-        text = file.read()
-    if "{" in text.split("// * *", 1)[1]:
-        n, value = re.search(r"\n(\d+)\{(.*)\}", text).groups()
-        return np.tile(np.array(value.strip("()").split(), float),
-                       (int(n), 1))
-    body = re.search(r"\n\d+\s*\((.*)\)", text, re.S).group(1)
-    return np.array(re.sub("[()]", " ", body).split(), float).reshape(
-        -1, width)
-
-
 def of_axis(x, u, spin):
     return np.column_stack([
         x[:, 0]/0.1, np.hypot(x[:, 1], x[:, 2])/0.1, u[:, 0]/600,
@@ -116,13 +101,14 @@ def of_axis(x, u, spin):
 
 identities = np.arange(40)
 for name, (_, _, velocity) in CLOUDS.items():
-    order = np.argsort(rows(name, "origId", 1)[:, 0])
+    order = np.argsort(parcel_rows(case, name, "origId", 1)[:, 0])
     n = len(order)
     if n != 40:
         verdict(f"wedge_{name}", False, f"{n} parcels of 40")
         continue
-    x = rows(name, "positions", 4)[order, :3]
-    u, spin = rows(name, "U", 3)[order], rows(name, "omega", 3)[order]
+    x = parcel_rows(case, name, "positions", 4)[order, :3]
+    u = parcel_rows(case, name, "U", 3)[order]
+    spin = parcel_rows(case, name, "omega", 3)[order]
     u0 = np.tile(np.array(velocity, float), (40, 1))
     there = (START + (LAST - START)*identities[:, None]/39 + END*u0)
     exact = of_axis(there, u0, np.tile([3e4, -4e4, 5e4], (40, 1)))
