@@ -104,7 +104,10 @@ protected:
             "blockMesh -case " + root_ + "/case > " + root_ + "/log 2>&1"
         );
         ASSERT_EQ(std::system(command.c_str()), 0);
-        time_.reset(new Time(Time::controlDictName, root_, "case"));
+        time_.reset
+        (
+            new Time(Time::controlDictName, root_, fileName("case"))
+        );
         mesh_.reset
         (
             new fvMesh
