@@ -74,12 +74,12 @@ verdict("steady_restarted", not different,
         "goes on from its steady state; different: "
         + (" ".join(different) or "nothing"))
 
-prepare_steady("ranks", 1e-7)
-decompose("ranks", (2, 1, 1))
-solve("ranks", 2)
-must("ranks", "reconstructPar")
+prepare_steady("steadyRanks", 1e-7)
+decompose("steadyRanks", (2, 1, 1))
+solve("steadyRanks", 2)
+must("steadyRanks", "reconstructPar")
 d = max(abs(a - b).max()/abs(b).max() for a, b in
-        zip(last_fields("ranks", names), last_fields("closer", names)))
+        zip(last_fields("steadyRanks", names), last_fields("closer", names)))
 verdict("steady_two_ranks", d < 1e-5,
         f"residual 1e-7: two ranks differ by {d:.1e}, bound 1e-5")
 
