@@ -51,6 +51,28 @@ def complaint(text):
     return " ".join(" ".join(lines[:8]).split())[:300]
 
 
+# How snappyHexMesh is to move points to surfaces, without layers
+SNAPPY_CONTROLS = """
+snapControls { nSmoothPatch 3; tolerance 2; nSolveIter 30; nRelaxIter 5; }
+addLayersControls
+{
+    relativeSizes true; layers {} expansionRatio 1; finalLayerThickness 0.3;
+    minThickness 0.1; nGrow 0; featureAngle 60; nRelaxIter 3;
+    nSmoothSurfaceNormals 1; nSmoothNormals 3; nSmoothThickness 10;
+    maxFaceThicknessRatio 0.5; maxThicknessToMedialRatio 0.3;
+    minMedialAxisAngle 90; nBufferCellsNoExtrude 0; nLayerIter 50;
+}
+meshQualityControls
+{
+    maxNonOrtho 65; maxBoundarySkewness 20; maxInternalSkewness 4;
+    maxConcave 80; minVol 1e-18; minTetQuality 1e-15; minArea -1;
+    minTwist 0.02; minDeterminant 0.001; minFaceWeight 0.05;
+    minVolRatio 0.01; minTriangleTwist -1; nSmoothScale 4; errorReduction 0.75;
+}
+mergeTolerance 1e-6;
+"""
+
+
 # ------------------------------------------------------------------- writing
 
 def write_foam(case, path, body, kind="dictionary"):

@@ -166,7 +166,6 @@ scalar particleModulus(const dictionary& dict, const dictionary& layer)
 }
 
 
-//- A constant alpha of the layer, that of the patch if there is none
 } // End anonymous namespace
 
 

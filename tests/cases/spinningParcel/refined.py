@@ -5,8 +5,8 @@ a temporary folder."""
 
 import numpy as np
 
-from caseTools import (box, copy_case, decompose, must, parcel_rows, solve,
-                       verdict, write_block, write_case, write_field,
+from caseTools import (SNAPPY_CONTROLS, box, copy_case, decompose, must,
+                       parcel_rows, solve, verdict, write_block, write_case, write_field,
                        write_foam)
 
 CLOUD = """
@@ -70,23 +70,7 @@ castellatedMeshControls
     }
     locationInMesh (0.0011 0.0012 0.0013); allowFreeStandingZoneFaces true;
 }
-snapControls { nSmoothPatch 3; tolerance 2; nSolveIter 30; nRelaxIter 5; }
-addLayersControls
-{
-    relativeSizes true; layers {} expansionRatio 1; finalLayerThickness 0.3;
-    minThickness 0.1; nGrow 0; featureAngle 60; nRelaxIter 3;
-    nSmoothSurfaceNormals 1; nSmoothNormals 3; nSmoothThickness 10;
-    maxFaceThicknessRatio 0.5; maxThicknessToMedialRatio 0.3;
-    minMedialAxisAngle 90; nBufferCellsNoExtrude 0; nLayerIter 50;
-}
-meshQualityControls
-{
-    maxNonOrtho 65; maxBoundarySkewness 20; maxInternalSkewness 4;
-    maxConcave 80; minVol 1e-18; minTetQuality 1e-15; minArea -1;
-    minTwist 0.02; minDeterminant 0.001; minFaceWeight 0.05;
-    minVolRatio 0.01; minTriangleTwist -1; nSmoothScale 4; errorReduction 0.75;
-}
-mergeTolerance 1e-6;""")
+""" + SNAPPY_CONTROLS)
 must(case, "blockMesh")
 must(case, "snappyHexMesh", "-overwrite")
 fields = {side: "type zeroGradient;" for side in sides}

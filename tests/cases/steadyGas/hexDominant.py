@@ -5,7 +5,8 @@ cut in eight towards the body, whose steps the shock crosses as it likes."""
 import re
 
 from bluntBody import P, RADIUS, SOUND, T
-from caseTools import must, solve, verdict, write_case, write_field, write_foam
+from caseTools import (SNAPPY_CONTROLS, must, solve, verdict, write_case,
+                       write_field, write_foam)
 from tetrahedra import stagnation
 
 SPHERE = f"type searchableSphere; centre (0 0 0); radius {RADIUS!r};"
@@ -41,27 +42,7 @@ castellatedMeshControls
     locationInMesh ({-0.93*a!r} {0.91*a!r} {0.92*a!r});
     allowFreeStandingZoneFaces true;
 }}
-snapControls
-{{
-    nSmoothPatch 3; tolerance 2; nSolveIter 30; nRelaxIter 5;
-}}
-addLayersControls
-{{
-    relativeSizes true; layers {{}} expansionRatio 1; finalLayerThickness 0.3;
-    minThickness 0.1; nGrow 0; featureAngle 60; nRelaxIter 3;
-    nSmoothSurfaceNormals 1; nSmoothNormals 3; nSmoothThickness 10;
-    maxFaceThicknessRatio 0.5; maxThicknessToMedialRatio 0.3;
-    minMedialAxisAngle 90; nBufferCellsNoExtrude 0; nLayerIter 50;
-}}
-meshQualityControls
-{{
-    maxNonOrtho 65; maxBoundarySkewness 20; maxInternalSkewness 4;
-    maxConcave 80; minVol 1e-18; minTetQuality 1e-15; minArea -1;
-    minTwist 0.02; minDeterminant 0.001; minFaceWeight 0.05;
-    minVolRatio 0.01; minTriangleTwist -1; nSmoothScale 4;
-    errorReduction 0.75;
-}}
-mergeTolerance 1e-6;""")
+""" + SNAPPY_CONTROLS)
     must(case, "blockMesh")
     must(case, "snappyHexMesh", "-overwrite")
 
