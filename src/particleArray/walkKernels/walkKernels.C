@@ -356,3 +356,77 @@ std::int32_t Foam::walkKernels::fly
     }
     return nStopped;
 }
+
+
+impactKernel void Foam::walkKernels::exitTimes
+(
+    const std::int32_t n,
+    const convexShapes& shapes,
+    const std::int32_t* cell,
+    const double* x,
+    const double* y,
+    const double* z,
+    const double* u,
+    const double* v,
+    const double* w,
+    const double* limit,
+    double* time
+)
+{
+    for (std::int32_t i = 0; i < n; ++i)
+    {
+        const lanes px = all(x[i]), py = all(y[i]), pz = all(z[i]);
+        const lanes pu = all(u[i]), pv = all(v[i]), pw = all(w[i]);
+        double least = limit[i];
+        const std::int32_t end = shapes.firstGroup[cell[i] + 1];
+        for (std::int32_t g = shapes.firstGroup[cell[i]]; g < end; ++g)
+        {
+            const double* p = shapes.planes + stride*std::size_t(g);
+            const lanes nx = load(p), ny = load(p + width);
+            const lanes nz = load(p + 2*width);
+            double speed[width], depth[width];
+            store(speed, nx*pu + ny*pv + nz*pw);
+            store(depth, load(p + 3*width) - (nx*px + ny*py + nz*pz));
+            for (int k = 0; k < width; ++k)
+            {
+                // Only faces that the ray goes out of
+                if (speed[k] > 0 && depth[k] < least*speed[k])
+                {
+                    least = depth[k]/speed[k];
+                }
+            }
+        }
+        time[i] = least;
+    }
+}
+
+
+impactKernel void Foam::walkKernels::pathsInside
+(
+    const std::int32_t n,
+    const convexShapes& shapes,
+    const std::int32_t* cell,
+    const double* const* points,
+    unsigned char* stays
+)
+{
+    for (std::int32_t i = 0; i < n; ++i)
+    {
+        marks outside = {0, 0, 0, 0};
+        const std::int32_t end = shapes.firstGroup[cell[i] + 1];
+        for (std::int32_t g = shapes.firstGroup[cell[i]]; g < end; ++g)
+        {
+            const double* p = shapes.planes + stride*std::size_t(g);
+            const lanes nx = load(p), ny = load(p + width);
+            const lanes nz = load(p + 2*width), d = load(p + 3*width);
+            for (int b = 0; b < 3; ++b)
+            {
+                const double* const* q = points + 3*b;
+                outside |=
+                    nx*all(q[0][i]) + ny*all(q[1][i]) + nz*all(q[2][i]) - d
+                  > all(0);
+            }
+        }
+        stays[i] = !(outside[0] | outside[1] | outside[2] | outside[3]);
+    }
+}

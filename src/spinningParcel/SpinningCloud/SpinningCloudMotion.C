@@ -136,6 +136,18 @@ void Foam::SpinningCloud<CloudType>::prepareMotion()
     const volScalarField* T = thermo ? &thermo->T() : nullptr;
     gas_->update(this->U(), halfCurl_, this->rho(), this->mu(), T);
 
+    // Ends and walls are all that these functions look at
+    static const wordList ofWalls
+    {
+        "dispersedPhase", "impactRecords", "surfaceImpact",
+        "particleErosion", "patchPostProcessing"
+    };
+    watched_ = collisions_.valid();
+    for (const auto& function : this->functions())
+    {
+        watched_ = watched_ || !ofWalls.found(function.type());
+    }
+
     coreForce_.clear();
     listedForce_.clear();
     heatedCoreForce_.clear();
@@ -201,7 +213,6 @@ void Foam::SpinningCloud<CloudType>::changeGas
     typedef typename Force::state State;
     const scalar dt = this->solution().trackTime();
     const polyMesh& mesh = this->mesh();
-    const bool reduced = mesh.nSolutionD() != 3;
     exchanges_.assign(mesh.nCells(), impact::jointExchange());
     cellGas::field store;
     for (parcelType& p : *this)
@@ -210,14 +221,15 @@ void Foam::SpinningCloud<CloudType>::changeGas
         {
             continue;
         }
-        point at = p.position();
-        if (reduced)
+        impact::vector3 x{0, 0, 0};
+        label celli = -1;
+        p.locate(cells(), x, celli);
+        if (Force::places)
         {
-            meshTools::constrainToMeshCentre(mesh, at);
+            p.settle(cells());
         }
-        const impact::vector3 x(toCore(at));
         force.parcel(p, td);
-        force.place(gas_->at(cells().locate(p.cell(), x), store), x);
+        force.place(gas_->at(celli, store), x);
         State state;
         state.x = impact::vector3{0, 0, 0};
         state.v = toCore(p.U());
@@ -253,6 +265,35 @@ void Foam::SpinningCloud<CloudType>::changeGas
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+template<class CloudType>
+void Foam::SpinningCloud<CloudType>::settle() const
+{
+    if (embedded_.valid())
+    {
+        for (parcelType& p : const_cast<spinningCloudType&>(*this))
+        {
+            p.settle(cells());
+        }
+    }
+}
+
+
+template<class CloudType>
+void Foam::SpinningCloud<CloudType>::writeFields() const
+{
+    settle();
+    CloudType::writeFields();
+}
+
+
+template<class CloudType>
+void Foam::SpinningCloud<CloudType>::writeObjects(objectRegistry& obr) const
+{
+    settle();
+    CloudType::writeObjects(obr);
+}
+
 
 template<class CloudType>
 void Foam::SpinningCloud<CloudType>::preEvolve
@@ -296,6 +337,21 @@ void Foam::SpinningCloud<CloudType>::motion
     if (collisions_.valid())
     {
         collisions_->motion(td);
+        this->updateCellOccupancy();
+    }
+    else if (coreForce_.valid() && !watched())
+    {
+        // Those that have arrived step aside for those that go on one by one
+        IDLList<parcelType> rest, arrived;
+        BlockMotion<spinningCloudType>(*this, td, coreForce_()).move(rest);
+        arrived.transfer(*this);
+        this->IDLList<parcelType>::transfer(rest);
+        CloudType::motion(cloud, td);
+        while (this->size())
+        {
+            arrived.append(this->removeHead());
+        }
+        this->IDLList<parcelType>::transfer(arrived);
         this->updateCellOccupancy();
     }
     else

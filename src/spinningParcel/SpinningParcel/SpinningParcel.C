@@ -45,7 +45,8 @@ Foam::SpinningParcel<ParcelType>::SpinningParcel
     ParcelType(p),
     omega_(p.omega_),
     T_(p.T_),
-    nImpacts_(p.nImpacts_)
+    nImpacts_(p.nImpacts_),
+    flight_(p.flight_)
 {}
 
 
@@ -59,7 +60,8 @@ Foam::SpinningParcel<ParcelType>::SpinningParcel
     ParcelType(p, mesh),
     omega_(p.omega_),
     T_(p.T_),
-    nImpacts_(p.nImpacts_)
+    nImpacts_(p.nImpacts_),
+    flight_(p.flight_)
 {}
 
 

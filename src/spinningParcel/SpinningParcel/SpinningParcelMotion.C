@@ -35,23 +35,16 @@ void Foam::SpinningParcel<ParcelType>::place::restore(particle& p) const
 
 
 template<class ParcelType>
-template<class Force, class State>
-Foam::scalar Foam::SpinningParcel<ParcelType>::partOfStep
+template<class State>
+bool Foam::SpinningParcel<ParcelType>::onParabola
 (
-    const Force& force,
     const impact::particleMotion& motion,
     const State& state,
     const impact::particleMotion::result<State>& o,
     const scalar tau,
-    label& left,
-    bool& forced,
-    scalar& hTry,
     State& end
 )
 {
-    // A parabola through both ends where that is accurate, another step where
-    // not
-    const scalar t = tau*o.h;
     const impact::vector3 a0 = o.h*o.a;
     const impact::vector3 alpha0 = o.h*o.alpha;
     const impact::vector3 dU = o.state.v - state.v - a0;
@@ -79,11 +72,26 @@ Foam::scalar Foam::SpinningParcel<ParcelType>::partOfStep
             mag(dh) < mag(h0) ? sqr(dh)/mag(h0) : mag(dh);
         accurate = accurate && cubic*most <= o.hScale;
     }
-    if (accurate)
-    {
-        return t;
-    }
+    return accurate;
+}
 
+
+template<class ParcelType>
+template<class Force, class State>
+Foam::scalar Foam::SpinningParcel<ParcelType>::partOfStep
+(
+    const Force& force,
+    const impact::particleMotion& motion,
+    const State& state,
+    const impact::particleMotion::result<State>& o,
+    const scalar tau,
+    label& left,
+    bool& forced,
+    scalar& hTry,
+    State& end
+)
+{
+    const scalar t = tau*o.h;
     const auto part = motion.step
     (
         force,
@@ -99,6 +107,40 @@ Foam::scalar Foam::SpinningParcel<ParcelType>::partOfStep
     hTry = part.hNext;
     end = part.state;
     return part.h;
+}
+
+
+template<class ParcelType>
+template<class State>
+void Foam::SpinningParcel<ParcelType>::ontoFace
+(
+    const convexCells& cells,
+    const label place,
+    const impact::vector3& moving,
+    const State& state,
+    const impact::particleMotion::result<State>& o,
+    impact::vector3& x,
+    State& end,
+    scalar& t
+)
+{
+    const impact::vector3 v = impact::multiply(moving, end.v);
+    const scalar late =
+        cells.heightAbove(place, x)
+       /max(impact::dot(cells.normal(place), v), ROOTVSMALL);
+    if (late == 0 || mag(late) >= 0.1*t)
+    {
+        return;
+    }
+    const scalar share = late/t;
+    x = x - late*v;
+    end.v = end.v - share*(2*(end.v - state.v) - t*o.a);
+    end.omega = end.omega - share*(2*(end.omega - state.omega) - t*o.alpha);
+    if constexpr (impact::particleMotion::thermal<State>)
+    {
+        end.h -= share*(2*(end.h - state.h) - t*o.hDot);
+    }
+    t -= late;
 }
 
 
@@ -130,26 +172,17 @@ bool Foam::SpinningParcel<ParcelType>::moveEmbedded
     const impact::vector3 moving(toCore(cells.moving()));
 
     // The parcel has to be where it says while somebody looks at it
-    bool watched = true;
-    if constexpr (!TrackCloudType::planned)
-    {
-        watched = cloud.functions().size();
-    }
+    const bool watched = cloud.watched();
 
-    // Where the parcel is
     impact::vector3 x{0, 0, 0};
     label celli = -1;
-    const auto find = [&]()
+    locate(cells, x, celli);
+    flight_.cell = -1;
+    if (flight_.begun > 0)
     {
-        point at = p.position();
-        if (reduced)
-        {
-            meshTools::constrainToMeshCentre(mesh, at);
-        }
-        x = toCore(at);
-        celli = cells.locate(p.cell(), x);
-    };
-    find();
+        p.stepFraction() = flight_.begun;
+        flight_.begun = 0;
+    }
 
     // The gas of the cell, if it has to be put together
     cellGas::field store;
@@ -194,19 +227,12 @@ bool Foam::SpinningParcel<ParcelType>::moveEmbedded
         const cellGas::field& here = gas.at(celli, store);
         force.place(here, x);
 
-        // As far as the cell goes, and not further than the gas is known if
-        // the force turns the way; but not in tiny steps along a face
         label ahead = -1;
         const impact::vector3 way = impact::multiply(moving, state.v);
         const scalar exit = cells.exitTime(celli, x, way, remaining, ahead);
         const scalar gasSpeed = impact::mag(force.here().u);
-        const scalar crossing =
-            here.length/max(max(mag(U0), gasSpeed), ROOTVSMALL);
-        const scalar hMax = min
-        (
-            remaining,
-            min(max(1.02*exit, 0.1*crossing), 1.5*crossing)
-        );
+        const scalar hMax =
+            longestStep(remaining, exit, here.length, mag(U0), gasSpeed);
         const auto o = motion.step
         (
             force,
@@ -237,14 +263,18 @@ bool Foam::SpinningParcel<ParcelType>::moveEmbedded
         end.x = path(tau);
         if (tau < 1)
         {
-            const label before = left;
-            bool forced = o.forced;
-            t = partOfStep
-            (
-                force, motion, state, o, tau, left, forced, hTry, end
-            );
-            statistics.nForces += before - left;
-            statistics.nForced += forced && !o.forced;
+            // A parabola where that is accurate, another step where not
+            if (!onParabola(motion, state, o, tau, end))
+            {
+                const label before = left;
+                bool forced = o.forced;
+                t = partOfStep
+                (
+                    force, motion, state, o, tau, left, forced, hTry, end
+                );
+                statistics.nForces += before - left;
+                statistics.nForced += forced && !o.forced;
+            }
             if (t < tau*o.h)
             {
                 place = -1;
@@ -253,50 +283,24 @@ bool Foam::SpinningParcel<ParcelType>::moveEmbedded
         }
         force.done();
         x = x + end.x;
-        impact::vector3 U1 = end.v;
-        impact::vector3 omega1 = end.omega;
-        [[maybe_unused]] scalar h1 = 0;
-        if constexpr (heated)
-        {
-            h1 = end.h;
-        }
         if (place >= 0)
         {
-            // Onto the face: a step taken anew ends before or behind it by the
-            // error of the path
-            const impact::vector3 v = impact::multiply(moving, U1);
-            const scalar late =
-                cells.heightAbove(place, x)
-               /max(impact::dot(cells.normal(place), v), ROOTVSMALL);
-            if (late != 0 && mag(late) < 0.1*t)
-            {
-                const scalar share = late/t;
-                x = x - late*v;
-                U1 =
-                    U1 - share*(2*(U1 - state.v) - t*o.a);
-                omega1 =
-                    omega1 - share*(2*(omega1 - state.omega) - t*o.alpha);
-                if constexpr (heated)
-                {
-                    h1 -= share*(2*(h1 - state.h) - t*o.hDot);
-                }
-                t -= late;
-            }
+            ontoFace(cells, place, moving, state, o, x, end, t);
         }
 
         p.stepFraction() =
             place >= 0 || t < remaining ? min(begin + t/trackTime, 1.0) : 1;
-        p.U() = fromCore(U1);
+        p.U() = fromCore(end.v);
         if (reduced)
         {
             meshTools::constrainDirection(mesh, mesh.solutionD(), p.U());
         }
-        omega_ = fromCore(omega1);
+        omega_ = fromCore(end.omega);
         const scalar mass = p.mass();
         scalar heat = 0;
         if constexpr (heated)
         {
-            T_ = force.heat().material().T(h1);
+            T_ = force.heat().material().T(end.h);
             heat = takeHeat(cloud, force.heat(), T0, o.kHeat, t);
         }
         if (coupled)
@@ -398,7 +402,7 @@ bool Foam::SpinningParcel<ParcelType>::moveEmbedded
             p.hitFace(fromCore(x - start), cloud, ttd);
             if (ttd.keepParticle && !ttd.switchProcessor)
             {
-                find();
+                locate(cells, x, celli);
             }
         }
         else if (place >= 0)
@@ -428,7 +432,12 @@ bool Foam::SpinningParcel<ParcelType>::moveEmbedded
 
     if (ttd.keepParticle && !ttd.switchProcessor && p.stepFraction() >= 1)
     {
-        tetPlace::put(p, cells, x, celli, -1);
+        flight_.x = x;
+        flight_.cell = celli;
+        if (watched)
+        {
+            settle(cells);
+        }
     }
 
     return ttd.keepParticle;
@@ -436,6 +445,42 @@ bool Foam::SpinningParcel<ParcelType>::moveEmbedded
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+template<class ParcelType>
+void Foam::SpinningParcel<ParcelType>::locate
+(
+    const convexCells& cells,
+    impact::vector3& x,
+    label& celli
+) const
+{
+    if (flight_.cell >= 0)
+    {
+        x = flight_.x;
+        celli = flight_.cell;
+        return;
+    }
+    const polyMesh& mesh = cells.mesh();
+    point at = this->position();
+    if (mesh.nSolutionD() != 3)
+    {
+        meshTools::constrainToMeshCentre(mesh, at);
+    }
+    x = toCore(at);
+    celli = cells.locate(this->cell(), x);
+}
+
+
+template<class ParcelType>
+void Foam::SpinningParcel<ParcelType>::settle(const convexCells& cells)
+{
+    if (flight_.cell >= 0)
+    {
+        tetPlace::put(*this, cells, flight_.x, flight_.cell, -1);
+        flight_.cell = -1;
+    }
+}
+
 
 template<class ParcelType>
 template<class TrackCloudType>

@@ -594,10 +594,12 @@ TEST(dragLaw, isTheSameInBatchesCopiesAndOtherGases)
         law->CdRe(n, Re, K, nullptr, fixed);
         for (int i = 0; i < n; ++i)
         {
-            EXPECT_EQ(own[i], law->CdRe(Re[i], K[i], tau[i]));
-            EXPECT_EQ(own[i], copy->CdRe(Re[i], K[i], tau[i]));
-            EXPECT_EQ(fixed[i], law->CdRe(Re[i], K[i]));
-            EXPECT_EQ(fixed[i], law->CdRe(Re[i], K[i], 2));
+            // Batches may take other exponentials, which round differently
+            const double one = law->CdRe(Re[i], K[i], tau[i]);
+            EXPECT_NEAR(own[i], one, 2e-15*one) << kind.name;
+            EXPECT_EQ(one, copy->CdRe(Re[i], K[i], tau[i]));
+            EXPECT_NEAR(fixed[i], law->CdRe(Re[i], K[i]), 2e-15*fixed[i]);
+            EXPECT_EQ(law->CdRe(Re[i], K[i]), law->CdRe(Re[i], K[i], 2));
             EXPECT_EQ
             (
                 law->CdReIn(1.6, Re[i], K[i], tau[i]),

@@ -14,6 +14,7 @@ Description
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 #include <cmath>
+#include <random>
 
 using namespace impact;
 
@@ -56,6 +57,24 @@ TEST(elementary, takesLogarithms)
         EXPECT_NEAR(logarithm(x), exact, 3e-16*(1 + std::fabs(exact)));
     }
     EXPECT_EQ(logarithm(1), 0);
+}
+
+
+TEST(elementary, takesExponentials)
+{
+    std::mt19937_64 engine(3);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    for (int i = 0; i < 200000; ++i)
+    {
+        const double x = (i % 2 ? 699 : 1)*uniform(engine);
+        const double exact = std::exp(x);
+        EXPECT_NEAR(exponential(x), exact, 4e-16*exact) << x;
+    }
+    EXPECT_EQ(exponential(0), 1);
+
+    // Bounded below, so that nothing is denormal
+    EXPECT_GT(exponential(-1e300), 0);
+    EXPECT_EQ(exponential(-1e300), exponential(-700));
 }
 
 

@@ -4,6 +4,7 @@
 
 #include "hendersonDrag.H"
 #include "compressibleRange.H"
+#include "hendersonKernels.H"
 
 #include <algorithm>
 #include <cmath>
@@ -116,4 +117,43 @@ impact::hendersonDrag impact::hendersonDrag::in(double gamma) const
     hendersonDrag law(*this);
     law.sqrtHalfGamma_ = std::sqrt(0.5*gamma);
     return law;
+}
+
+
+void impact::hendersonDrag::CdRe
+(
+    int n,
+    const double* Re,
+    const double* K,
+    const double* TpOverT,
+    double* result
+) const
+{
+    constexpr int size = 64;
+    double M[size], ratio[size];
+    for (int from = 0; from < n; from += size)
+    {
+        const int m = std::min(size, n - from);
+        for (int i = 0; i < m; ++i)
+        {
+            const int j = from + i;
+            M[i] = std::min(K[j]*Re[j], compressibleRange::highestMach);
+            ratio[i] = std::min
+            (
+                TpOverT ? TpOverT[j] : this->TpOverT(),
+                compressibleRange::highestTpOverT
+            );
+        }
+        hendersonKernels::CdRe
+        (
+            m, Re + from, K + from, M, ratio, sqrtHalfGamma_, result + from
+        );
+        for (int i = 0; i < m; ++i)
+        {
+            if (M[i] > 1 && M[i] < 1.75)
+            {
+                result[from + i] = of(Re[from + i], K[from + i], ratio[i]);
+            }
+        }
+    }
 }

@@ -1,0 +1,353 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "motionKernels.H"
+#include "elementary.H"
+#include "vectorTargets.H"
+
+#include <cmath>
+
+namespace
+{
+
+impactInline double larger(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+//- Largest component, as the error control measures
+impactInline double largest(double x, double y, double z)
+{
+    return larger(std::fabs(x), larger(std::fabs(y), std::fabs(z)));
+}
+
+impactInline double length(double x, double y, double z)
+{
+    return std::sqrt(x*x + y*y + z*z);
+}
+
+//- What a rate changes in a step that may be long for its relaxation k
+impactInline double gain(double rate, double k, double h)
+{
+    const double hk = h*k;
+    const double most = rate*h;
+    return hk > 1 ? most/(hk > 1 ? hk : 1) : most;
+}
+
+} // End namespace
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+impactKernel void impact::motionKernels::gas
+(
+    const int n,
+    const linearGas* const* __restrict__ fields,
+    const row (&__restrict__ x)[3],
+    gasRows& __restrict__ g
+)
+{
+    constexpr int nValues = linearGas::nValues;
+    for (int i = 0; i < n; ++i)
+    {
+        const linearGas& f = *fields[i];
+        const double rx = x[0][i] - f.centre.x;
+        const double ry = x[1][i] - f.centre.y;
+        const double rz = x[2][i] - f.centre.z;
+        const double* value = &f.value.u.x;
+        double q[nValues];
+        for (int k = 0; k < nValues; ++k)
+        {
+            q[k] =
+                value[k] + f.slope[0][k]*rx + f.slope[1][k]*ry
+              + f.slope[2][k]*rz;
+        }
+        for (int k = 0; k < 3; ++k)
+        {
+            g.u[k][i] = q[k];
+            g.spin[k][i] = q[3 + k];
+        }
+        g.rho[i] = larger(q[6], f.least[0]);
+        g.mu[i] = larger(q[7], f.least[1]);
+        g.T[i] = larger(q[8], f.least[2]);
+    }
+}
+
+
+impactKernel void impact::motionKernels::reynolds
+(
+    const int n,
+    const gasRows& __restrict__ gas,
+    const row (&__restrict__ v)[3],
+    const row (&__restrict__ omega)[3],
+    const row& __restrict__ d,
+    const double gammaR,
+    numbers& __restrict__ q
+)
+{
+    for (int i = 0; i < n; ++i)
+    {
+        const double ReOverSpeed = d[i]*gas.rho[i]/gas.mu[i];
+        q.Re[i] = ReOverSpeed*length
+        (
+            gas.u[0][i] - v[0][i],
+            gas.u[1][i] - v[1][i],
+            gas.u[2][i] - v[2][i]
+        );
+        q.K[i] = 1/(ReOverSpeed*std::sqrt(gammaR*gas.T[i]));
+        q.ReOmega[i] = ReOverSpeed*d[i]*length
+        (
+            gas.spin[0][i] - omega[0][i],
+            gas.spin[1][i] - omega[1][i],
+            gas.spin[2][i] - omega[2][i]
+        );
+    }
+}
+
+
+impactKernel void impact::motionKernels::rates
+(
+    const int n,
+    const gasRows& __restrict__ gas,
+    const row (&__restrict__ v)[3],
+    const row (&__restrict__ omega)[3],
+    const row& __restrict__ inverseRhoP,
+    const row& __restrict__ drag0,
+    const row& __restrict__ torque0,
+    const row& __restrict__ CdRe,
+    const row& __restrict__ magnus,
+    const row& __restrict__ clRe,
+    const vector3& __restrict__ g,
+    const vector3& __restrict__ solved,
+    const vector3& __restrict__ rotation,
+    rateRows& __restrict__ r
+)
+{
+    const vector3 gravity = g, keep = solved, keepSpin = rotation;
+    for (int i = 0; i < n; ++i)
+    {
+        const double density = gas.rho[i]*inverseRhoP[i];
+        const double k = drag0[i]*gas.mu[i]*CdRe[i];
+        const double kSpin = torque0[i]*gas.mu[i]*clRe[i];
+        const double c = 0.75*density*magnus[i];
+        const double wx = gas.u[0][i] - v[0][i];
+        const double wy = gas.u[1][i] - v[1][i];
+        const double wz = gas.u[2][i] - v[2][i];
+        const double Wx = gas.spin[0][i] - omega[0][i];
+        const double Wy = gas.spin[1][i] - omega[1][i];
+        const double Wz = gas.spin[2][i] - omega[2][i];
+        const double tx = c*Wx, ty = c*Wy, tz = c*Wz;
+        const double buoyant = 1 - density;
+        r.k[i] = k;
+        r.kSpin[i] = kSpin;
+        r.a[0][i] = keep.x*(buoyant*gravity.x + k*wx + (ty*wz - tz*wy));
+        r.a[1][i] = keep.y*(buoyant*gravity.y + k*wy + (tz*wx - tx*wz));
+        r.a[2][i] = keep.z*(buoyant*gravity.z + k*wz + (tx*wy - ty*wx));
+        r.turn[0][i] = keepSpin.x*tx;
+        r.turn[1][i] = keepSpin.y*ty;
+        r.turn[2][i] = keepSpin.z*tz;
+        r.alpha[0][i] = kSpin*Wx;
+        r.alpha[1][i] = kSpin*Wy;
+        r.alpha[2][i] = kSpin*Wz;
+    }
+}
+
+
+impactKernel void impact::motionKernels::stretch
+(
+    const int n,
+    const row (&__restrict__ x)[3],
+    const row (&__restrict__ v)[3],
+    const row (&__restrict__ omega)[3],
+    const rateRows& __restrict__ f,
+    const row& __restrict__ hMax,
+    const row& __restrict__ hTry,
+    row& __restrict__ h,
+    stateRows& __restrict__ middle,
+    row (&__restrict__ place)[3]
+)
+{
+    for (int i = 0; i < n; ++i)
+    {
+        h[i] = hMax[i] < hTry[i] ? hMax[i] : hTry[i];
+    }
+    for (int c = 0; c < 3; ++c)
+    {
+        for (int i = 0; i < n; ++i)
+        {
+            const double w = h[i]*(1./5);
+            middle.x[c][i] = w*v[c][i];
+            place[c][i] = x[c][i] + middle.x[c][i];
+            middle.v[c][i] = v[c][i] + w*f.a[c][i];
+            middle.omega[c][i] = omega[c][i] + w*f.alpha[c][i];
+        }
+    }
+}
+
+
+impactKernel void impact::motionKernels::end
+(
+    const int n,
+    const gasRows& __restrict__ gas,
+    const row (&__restrict__ v)[3],
+    const row (&__restrict__ omega)[3],
+    const rateRows& __restrict__ f,
+    const stateRows& __restrict__ middle,
+    const rateRows& __restrict__ g,
+    const row& __restrict__ h,
+    const double tolerance,
+    stateRows& __restrict__ last,
+    row& __restrict__ vScale,
+    row& __restrict__ spinScale,
+    row& __restrict__ worst,
+    row& __restrict__ power,
+    row& __restrict__ accepted,
+    row& __restrict__ more
+)
+{
+    for (int c = 0; c < 3; ++c)
+    {
+        for (int i = 0; i < n; ++i)
+        {
+            const double w0 = h[i]*(-3./2), w1 = h[i]*(5./2);
+            last.x[c][i] = w0*v[c][i] + w1*middle.v[c][i];
+            last.v[c][i] = v[c][i] + w0*f.a[c][i] + w1*g.a[c][i];
+            last.omega[c][i] =
+                omega[c][i] + w0*f.alpha[c][i] + w1*g.alpha[c][i];
+        }
+    }
+    for (int i = 0; i < n; ++i)
+    {
+        const double sizeA = largest(f.a[0][i], f.a[1][i], f.a[2][i]);
+        const double sizeAlpha =
+            largest(f.alpha[0][i], f.alpha[1][i], f.alpha[2][i]);
+        const double gasSpeed =
+            length(gas.u[0][i], gas.u[1][i], gas.u[2][i]);
+        const double gasSpin =
+            length(gas.spin[0][i], gas.spin[1][i], gas.spin[2][i]);
+        const double speed = largest(v[0][i], v[1][i], v[2][i]);
+        const double spin = largest(omega[0][i], omega[1][i], omega[2][i]);
+        vScale[i] =
+            larger(larger(speed, gasSpeed), gain(sizeA, f.k[i], h[i]))
+          + 1e-100;
+        spinScale[i] =
+            larger(larger(spin, gasSpin), gain(sizeAlpha, f.kSpin[i], h[i]))
+          + 1e-100;
+        const double dv = largest
+        (
+            last.v[0][i] - (v[0][i] + h[i]*f.a[0][i]),
+            last.v[1][i] - (v[1][i] + h[i]*f.a[1][i]),
+            last.v[2][i] - (v[2][i] + h[i]*f.a[2][i])
+        );
+        const double dOmega = largest
+        (
+            last.omega[0][i] - (omega[0][i] + h[i]*f.alpha[0][i]),
+            last.omega[1][i] - (omega[1][i] + h[i]*f.alpha[1][i]),
+            last.omega[2][i] - (omega[2][i] + h[i]*f.alpha[2][i])
+        );
+        const double first =
+            larger(dv/vScale[i], dOmega/spinScale[i])/tolerance;
+
+        // Errors of orders 1 and 5: see particleMotion::step
+        const double first2 = first*tolerance;
+        const bool hopeless = first2*first2*first2 > tolerance;
+        const double fastest = larger
+        (
+            larger(f.k[i], f.kSpin[i]),
+            largest(f.turn[0][i], f.turn[1][i], f.turn[2][i])
+        );
+        const double change = 5*larger
+        (
+            largest
+            (
+                g.a[0][i] - f.a[0][i],
+                g.a[1][i] - f.a[1][i],
+                g.a[2][i] - f.a[2][i]
+            )/(sizeA + 1e-100),
+            largest
+            (
+                g.alpha[0][i] - f.alpha[0][i],
+                g.alpha[1][i] - f.alpha[1][i],
+                g.alpha[2][i] - f.alpha[2][i]
+            )/(sizeAlpha + 1e-100)
+        );
+        const double share = 2*larger(change, h[i]*fastest);
+        const double better = first*(share < 1 ? share : 1);
+        const bool large = first > 1;
+        worst[i] = large ? better : first;
+        power[i] = large ? 1./3 : 1./2;
+        const bool small = worst[i] <= 1;
+        const bool soft = h[i]*fastest <= 1.5;
+        accepted[i] = small & soft & !hopeless ? 1 : 0;
+        more[i] = worst[i] > 1 && soft && !hopeless ? 1 : 0;
+    }
+}
+
+
+impactKernel void impact::motionKernels::sum
+(
+    const int n,
+    const row (&__restrict__ v)[3],
+    const row (&__restrict__ omega)[3],
+    const row& __restrict__ h,
+    const row (* __restrict__ kx)[3],
+    const rateRows* __restrict__ k,
+    const double* __restrict__ weights,
+    const int nSlopes,
+    stateRows& __restrict__ s
+)
+{
+    for (int c = 0; c < 3; ++c)
+    {
+        for (int i = 0; i < n; ++i)
+        {
+            s.x[c][i] = 0;
+            s.v[c][i] = v[c][i];
+            s.omega[c][i] = omega[c][i];
+        }
+        for (int j = 0; j < nSlopes; ++j)
+        {
+            const double weight = weights[j];
+            for (int i = 0; i < n; ++i)
+            {
+                const double w = h[i]*weight;
+                s.x[c][i] += w*kx[j][c][i];
+                s.v[c][i] += w*k[j].a[c][i];
+                s.omega[c][i] += w*k[j].alpha[c][i];
+            }
+        }
+    }
+}
+
+
+impactKernel void impact::motionKernels::error
+(
+    const int n,
+    const stateRows& __restrict__ a,
+    const stateRows& __restrict__ b,
+    const row& __restrict__ vScale,
+    const row& __restrict__ spinScale,
+    const double tolerance,
+    row& __restrict__ worst
+)
+{
+    for (int i = 0; i < n; ++i)
+    {
+        worst[i] = larger
+        (
+            largest
+            (
+                a.v[0][i] - b.v[0][i],
+                a.v[1][i] - b.v[1][i],
+                a.v[2][i] - b.v[2][i]
+            )/vScale[i],
+            largest
+            (
+                a.omega[0][i] - b.omega[0][i],
+                a.omega[1][i] - b.omega[1][i],
+                a.omega[2][i] - b.omega[2][i]
+            )/spinScale[i]
+        )/tolerance;
+    }
+}

@@ -1,0 +1,338 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "BlockMotion.H"
+#include "curvedPath.H"
+#include "meshTools.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class CloudType>
+void Foam::BlockMotion<CloudType>::take(const int i, parcelType& p)
+{
+    flyer& f = flyers_[i];
+    f.parcel = &p;
+    impact::vector3 x;
+    p.locate(cells_, x, cell_[i]);
+    impact::motionBlock::set(block_.x, i, x);
+    enter(i);
+    f.place = -1;
+    f.begin = 0;
+    f.over = false;
+    f.nForces = 0;
+    f.stalls = 0;
+
+    block_.sphere(i, p.d(), p.rho());
+    block_.hTry[i] = GREAT;
+    impact::motionBlock::set(block_.v, i, toCore(p.U()));
+    impact::motionBlock::set(block_.omega, i, toCore(p.omega()));
+}
+
+
+template<class CloudType>
+void Foam::BlockMotion<CloudType>::release(const int i)
+{
+    const flyer& f = flyers_[i];
+    parcelType& p = *f.parcel;
+    p.U() = fromCore(impact::motionBlock::of(block_.v, i));
+    p.omega() = fromCore(impact::motionBlock::of(block_.omega, i));
+    auto& flight = p.inFlight();
+    flight.x = impact::motionBlock::of(block_.x, i);
+    flight.cell = cell_[i];
+    flight.begun = f.begin;
+    p.stepFraction() = f.begin;
+    if (f.place >= 0)
+    {
+        // Some tetrahedron of the cell, for whoever asks
+        p.cell() = cells_.meshCell(cell_[i]);
+        const label facei = cells_.meshFace(f.place);
+        if (facei >= 0)
+        {
+            p.tetFace() = facei;
+            p.tetPt() = 1;
+        }
+    }
+}
+
+
+template<class CloudType>
+impact::particleMotion::outcome
+Foam::BlockMotion<CloudType>::alone(const int i)
+{
+    const flyer& f = flyers_[i];
+    force_.parcel(*f.parcel, td_);
+    force_.place(*block_.gas[i], impact::motionBlock::of(block_.x, i));
+    State state;
+    state.x = impact::vector3{0, 0, 0};
+    state.v = impact::motionBlock::of(block_.v, i);
+    state.omega = impact::motionBlock::of(block_.omega, i);
+    return motion_.step
+    (
+        force_,
+        state,
+        impact::mag(force_.here().u),
+        impact::mag(force_.here().spin),
+        block_.hMax[i],
+        block_.hTry[i],
+        max(parcelType::maxForces - f.nForces - parcelType::kept, label(3))
+    );
+}
+
+
+template<class CloudType>
+void Foam::BlockMotion<CloudType>::follow(const int i)
+{
+    flyer& f = flyers_[i];
+    const bool accepted = block_.accepted[i] > 0;
+    const impact::particleMotion::outcome o =
+        accepted ? block_.outcome(i) : alone(i);
+    f.nForces += o.nForce;
+    auto& statistics = cloud_.statistics();
+    statistics.nForces += o.nForce;
+    statistics.nForced += o.forced;
+
+    State state;
+    state.v = impact::motionBlock::of(block_.v, i);
+    state.omega = impact::motionBlock::of(block_.omega, i);
+    impact::vector3 x(impact::motionBlock::of(block_.x, i));
+    State end = o.state;
+    label place = -1;
+    scalar tau = 1;
+    if (accepted && stays_[i])
+    {
+        end.x = impact::multiply(moving_, end.x);
+    }
+    else
+    {
+        const curvedPath path
+        (
+            x,
+            impact::multiply(moving_, o.state.x),
+            o.h*impact::multiply(moving_, state.v),
+            o.h*impact::multiply(moving_, o.state.v)
+        );
+        tau = path.exit(cells_, cell_[i], 0, 1, place);
+        end.x = path(tau);
+    }
+    if (place >= 0 && cells_.targets()[place] < 0)
+    {
+        // A boundary, or a choice of cells
+        f.over = true;
+        return;
+    }
+
+    const scalar left = remaining(f);
+    scalar hTry = o.hNext;
+    scalar t = tau*o.h;
+    if (tau < 1)
+    {
+        if (!parcelType::onParabola(motion_, state, o, tau, end))
+        {
+            f.over = true;
+            return;
+        }
+        end.x = impact::multiply(moving_, end.x);
+    }
+    x = x + end.x;
+    if (place >= 0)
+    {
+        parcelType::ontoFace(cells_, place, moving_, state, o, x, end, t);
+    }
+    impact::motionBlock::set(block_.x, i, x);
+    ++statistics.nSteps;
+
+    parcelType& p = *f.parcel;
+    vector U = fromCore(end.v);
+    meshTools::constrainDirection(cells_.mesh(), cells_.mesh().solutionD(), U);
+    impact::motionBlock::set(block_.v, i, toCore(U));
+    impact::motionBlock::set(block_.omega, i, end.omega);
+    if (coupled_)
+    {
+        const scalar mass = p.mass();
+        const scalar rho = block_.here.rho[i];
+        const vector U0 = fromCore(state.v);
+        const vector omega0 = fromCore(state.omega);
+        p.U() = U;
+        p.omega() = fromCore(end.omega);
+        p.cell() = cells_.meshCell(cell_[i]);
+        p.giveToGas
+        (
+            cloud_, mass, U0, omega0, t*force_.external(mass, p.rho(), rho),
+            0, true
+        );
+    }
+    p.age() += t;
+    f.begin =
+        place >= 0 || t < left ? min(f.begin + t/trackTime_, scalar(1)) : 1;
+    f.stalls = t < 1e-9*trackTime_ ? f.stalls + 1 : 0;
+    if (place >= 0)
+    {
+        cell_[i] = cells_.behind(place, x);
+        enter(i);
+        f.place = place;
+        statistics.mostForces =
+            max(statistics.mostForces, scalar(f.nForces));
+        f.nForces = 0;
+        hTry = GREAT;
+    }
+    block_.hTry[i] = hTry;
+    f.over =
+        f.begin >= 1 || f.stalls > 10
+     || f.nForces > parcelType::maxForces - 2*parcelType::kept;
+    if (f.over)
+    {
+        statistics.mostForces =
+            max(statistics.mostForces, scalar(f.nForces));
+    }
+}
+
+
+template<class CloudType>
+void Foam::BlockMotion<CloudType>::advance(const int n)
+{
+    impact::motionBlock::row left, way[3], exit, points[9];
+    block_.begin(n);
+    for (int i = 0; i < n; ++i)
+    {
+        left[i] = remaining(flyers_[i]);
+        for (int c = 0; c < 3; ++c)
+        {
+            way[c][i] = moving_[c]*block_.v[c][i];
+        }
+    }
+    walkKernels::exitTimes
+    (
+        n, cells_.shapes(), cell_, block_.x[0], block_.x[1], block_.x[2],
+        way[0], way[1], way[2], left, exit
+    );
+    for (int i = 0; i < n; ++i)
+    {
+        block_.hMax[i] = parcelType::longestStep
+        (
+            left[i], exit[i], block_.gas[i]->length,
+            impact::mag(impact::motionBlock::of(block_.v, i)),
+            impact::mag(impact::motionBlock::of(block_.here.u, i))
+        );
+    }
+    block_.end(n);
+
+    const double* rows[9];
+    for (int c = 0; c < 3; ++c)
+    {
+        for (int i = 0; i < n; ++i)
+        {
+            const scalar x = block_.x[c][i];
+            const scalar h = block_.h[i];
+            const scalar s = moving_[c]*block_.last.x[c][i];
+            points[c][i] = x + (1.0/3)*(h*way[c][i]);
+            points[3 + c][i] =
+                x + s - (1.0/3)*(h*(moving_[c]*block_.last.v[c][i]));
+            points[6 + c][i] = x + s;
+        }
+    }
+    for (int k = 0; k < 9; ++k)
+    {
+        rows[k] = points[k];
+    }
+    walkKernels::pathsInside(n, cells_.shapes(), cell_, rows, stays_);
+    for (int i = 0; i < n; ++i)
+    {
+        follow(i);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+template<class CloudType>
+Foam::BlockMotion<CloudType>::BlockMotion
+(
+    CloudType& cloud,
+    typename parcelType::trackingData& td,
+    spinningCoreForce& force
+)
+:
+    cloud_(cloud),
+    td_(td),
+    force_(force),
+    motion_(cloud.embedded()),
+    cells_(cloud.cells()),
+    moving_(toCore(cells_.moving())),
+    trackTime_(cloud.solution().trackTime()),
+    coupled_(cloud.solution().coupled()),
+    block_
+    (
+        force.forces(),
+        motion_.tolerance(),
+        force.directions().velocity(),
+        force.directions().rotation()
+    )
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+template<class CloudType>
+void Foam::BlockMotion<CloudType>::move(IDLList<parcelType>& rest)
+{
+    auto next = cloud_.begin();
+    const auto last = cloud_.end();
+    const char* before = nullptr;
+    int n = 0;
+    while (true)
+    {
+        while (n < size && next != last)
+        {
+            parcelType& p = next();
+            ++next;
+
+            // The walk through the list waits for the memory of each parcel.
+            // Parcels that were injected together mostly lie one behind the
+            // other: have those ready that come next if it is so.
+            const char* here = reinterpret_cast<const char*>(&p);
+            const char* ahead = here + 8*(here - before);
+            before = here;
+            for (std::size_t line = 0; line < sizeof(parcelType); line += 64)
+            {
+                __builtin_prefetch(ahead + line, 1);
+            }
+            if (p.active())
+            {
+                take(n++, p);
+            }
+            else
+            {
+                p.stepFraction() = 1;
+                p.age() += trackTime_;
+            }
+        }
+        if (n == 0)
+        {
+            break;
+        }
+        advance(n);
+        for (int i = 0; i < n; )
+        {
+            flyer& f = flyers_[i];
+            if (!f.over)
+            {
+                ++i;
+                continue;
+            }
+            release(i);
+            if (f.begin < 1)
+            {
+                rest.append(cloud_.remove(f.parcel));
+            }
+            --n;
+            if (i < n)
+            {
+                f = flyers_[n];
+                cell_[i] = cell_[n];
+                block_.move(n, i);
+                enter(i);
+            }
+        }
+    }
+}

@@ -1,0 +1,258 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+
+Description
+    Sub-steps of many spheres together against those of one: the same states,
+    errors and evaluations, and the same steps refused.
+\*---------------------------------------------------------------------------*/
+
+#include "hendersonDrag.H"
+#include "motionBlock.H"
+
+#include <gtest/gtest.h>
+#include <cmath>
+#include <memory>
+#include <random>
+
+using namespace impact;
+
+namespace
+{
+
+constexpr double gammaR = 401.87;
+
+//- Gas with random gradients: in a cell of 1 mm everything may change by its
+//  own size
+linearGas randomGas(std::mt19937& random)
+{
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    linearGas f;
+    f.centre = vector3{0.1, -0.2, 0.3};
+    f.value.u = vector3{1000, 200*uniform(random), 100};
+    f.value.spin = vector3{1e4*uniform(random), 0, 1e5*uniform(random)};
+    f.value.rho = 0.4;
+    f.value.mu = 2e-5;
+    f.value.T = 300;
+    const double sharp = std::pow(10., 2*uniform(random) - 2);
+    const double* value = &f.value.u.x;
+    for (auto& slope : f.slope)
+    {
+        for (int k = 0; k < linearGas::nValues; ++k)
+        {
+            slope[k] = 1e3*sharp*uniform(random)*(value[k] + 1);
+        }
+    }
+    f.least[0] = 0.2;
+    f.least[1] = 1e-5;
+    f.least[2] = 150;
+    f.length = 1e-3;
+    return f;
+}
+
+
+//- The same force for one sphere
+struct oneForce
+{
+    sphereForces forces;
+    const linearGas& gas;
+    vector3 x, solved, rotation;
+
+    motionRate operator()(const motionState& s) const
+    {
+        motionRate r = forces(gas(x + s.x), s.v, s.omega);
+        r.a = multiply(solved, r.a);
+        r.turn = multiply(rotation, r.turn);
+        return r;
+    }
+};
+
+
+void expectNear(const vector3& a, const vector3& b, double scale)
+{
+    EXPECT_LE(mag(a - b), 1e-13*scale);
+}
+
+
+//- Compare n spheres a thousand times over
+//  \param nWith  becomes the number of steps with 2, 4, 6 evaluations, and of
+//      those refused
+void compare
+(
+    const sphereForces& forces,
+    double tolerance,
+    const vector3& solved,
+    const vector3& rotation,
+    int n,
+    int (&nWith)[4]
+)
+{
+    std::mt19937 random(7 + n);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    const particleMotion motion(tolerance);
+    const auto block = std::make_unique<motionBlock>
+    (
+        forces, tolerance, solved, rotation
+    );
+    linearGas fields[motionBlock::size];
+    double d[motionBlock::size];
+    for (int repeat = 0; repeat < 200; ++repeat)
+    {
+        for (int i = 0; i < n; ++i)
+        {
+            fields[i] = randomGas(random);
+            d[i] = std::pow(10., -6 + uniform(random));
+            block->gas[i] = &fields[i];
+            block->sphere(i, d[i], 2500);
+            motionBlock::set
+            (
+                block->x, i,
+                fields[i].centre + 5e-4*vector3{uniform(random), 0, 1}
+            );
+            motionBlock::set
+            (
+                block->v, i,
+                vector3{1800 + 800*uniform(random), 100*uniform(random), 0}
+            );
+            motionBlock::set
+            (
+                block->omega, i, vector3{0, 0, 1e6*uniform(random)}
+            );
+            block->hTry[i] = i % 3 ? 1 : 3e-8;
+        }
+        block->begin(n);
+        for (int i = 0; i < n; ++i)
+        {
+            block->hMax[i] = std::pow(10., -7.5 + 1.5*uniform(random));
+        }
+        block->end(n);
+
+        for (int i = 0; i < n; ++i)
+        {
+            oneForce force
+            {
+                forces, fields[i], motionBlock::of(block->x, i), solved,
+                rotation
+            };
+            force.forces.sphere(d[i], 2500);
+            motionState s;
+            s.x = vector3{0, 0, 0};
+            s.v = motionBlock::of(block->v, i);
+            s.omega = motionBlock::of(block->omega, i);
+            const gasState here = fields[i](force.x);
+            const double h = std::min(block->hMax[i], block->hTry[i]);
+            const auto o = motion.step
+            (
+                force, s, mag(here.u), mag(here.spin), block->hMax[i],
+                block->hTry[i], 1000
+            );
+
+            // Its first attempt was explicit and good enough
+            const bool accepted =
+                o.h == h
+             && (o.nForce == 2 || o.nForce == 4 || o.nForce == 6);
+            ASSERT_EQ(block->accepted[i] > 0, accepted) << o.nForce;
+            if (!accepted)
+            {
+                ++nWith[3];
+                continue;
+            }
+            ++nWith[o.nForce/2 - 1];
+            const auto b = block->outcome(i);
+            EXPECT_EQ(b.nForce, o.nForce);
+            EXPECT_EQ(b.h, o.h);
+            expectNear(b.state.x, o.state.x, o.h*o.vScale);
+            expectNear(b.state.v, o.state.v, o.vScale);
+            expectNear(b.state.omega, o.state.omega, o.spinScale);
+            EXPECT_NEAR(b.vScale, o.vScale, 1e-13*o.vScale);
+            EXPECT_NEAR(b.spinScale, o.spinScale, 1e-13*o.spinScale);
+            EXPECT_NEAR(b.k, o.k, 1e-13*o.k);
+            EXPECT_NEAR(b.kSpin, o.kSpin, 1e-13*o.kSpin);
+            expectNear(b.a, o.a, mag(o.a));
+            expectNear(b.alpha, o.alpha, mag(o.alpha));
+
+            // The error is a difference of nearly equal numbers
+            EXPECT_NEAR(b.hNext, o.hNext, 1e-6*o.hNext);
+        }
+    }
+}
+
+} // End anonymous namespace
+
+
+TEST(motionBlock, takesTheStepsOfOneSphere)
+{
+    sphereForces::counts counts;
+    const hendersonDrag drag(1.4, 1);
+    const vector3 all{1, 1, 1};
+    for (const double tolerance : {1e-3, 1e-5, 1e-7})
+    {
+        for (const bool spin : {true, false})
+        {
+            const sphereForces forces
+            (
+                &drag, gammaR, spin, spin, vector3{0, 9.81, 0}, counts
+            );
+            int nWith[4] = {0, 0, 0, 0};
+            for (const int n : {1, 7, motionBlock::size})
+            {
+                compare(forces, tolerance, all, all, n, nWith);
+            }
+
+            // Each kind was among them
+            for (const int count : nWith)
+            {
+                EXPECT_GE(count, 100) << tolerance;
+            }
+        }
+    }
+}
+
+
+TEST(motionBlock, leavesOutWhatIsNotThere)
+{
+    // No drag, no spin, a plane
+    sphereForces::counts counts;
+    const sphereForces forces
+    (
+        nullptr, 1, false, false, vector3{0, 9.81, 5}, counts
+    );
+    int nWith[4] = {0, 0, 0, 0};
+    compare
+    (
+        forces, 1e-5, vector3{1, 1, 0}, vector3{0, 0, 1}, motionBlock::size,
+        nWith
+    );
+    EXPECT_GE(nWith[0], 1000);
+    EXPECT_EQ(counts.magnus, 0);
+    EXPECT_EQ(counts.torque, 0);
+}
+
+
+TEST(motionBlock, countsEvaluationsOutsideTheFits)
+{
+    sphereForces::counts counts;
+    const hendersonDrag drag(1.4, 1);
+    const sphereForces forces
+    (
+        &drag, gammaR, true, true, vector3{0, 0, 0}, counts
+    );
+    const auto block = std::make_unique<motionBlock>
+    (
+        forces, 0.1, vector3{1, 1, 1}, vector3{1, 1, 1}
+    );
+    std::mt19937 random(1);
+    const linearGas gas = randomGas(random);
+    for (int i = 0; i < 3; ++i)
+    {
+        block->gas[i] = &gas;
+        block->sphere(i, i ? 1e-4 : 1e-6, 2500);
+        motionBlock::set(block->x, i, gas.centre);
+        motionBlock::set(block->v, i, vector3{0, 0, 0});
+        motionBlock::set(block->omega, i, vector3{0, 0, 0});
+        block->hTry[i] = block->hMax[i] = 1e-9;
+    }
+    block->begin(3);
+    EXPECT_EQ(counts.magnus, 3);
+    EXPECT_EQ(counts.torque, 3);
+    EXPECT_EQ(counts.magnusOutside, 2);
+}
