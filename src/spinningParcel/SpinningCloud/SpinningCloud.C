@@ -230,6 +230,7 @@ Foam::SpinningCloud<CloudType>::SpinningCloud
         if (readFields)
         {
             parcelType::readFields(*this);
+            readFlights();
             this->deleteLostParticles();
             checkTemperatures();
         }

@@ -226,7 +226,7 @@ void Foam::SpinningCloud<CloudType>::changeGas
         p.locate(cells(), x, celli);
         if (Force::places)
         {
-            p.settle(cells());
+            p.land(cells());
         }
         force.parcel(p, td);
         force.place(gas_->at(celli, store), x);
@@ -284,6 +284,68 @@ void Foam::SpinningCloud<CloudType>::writeFields() const
 {
     settle();
     CloudType::writeFields();
+    if (!embedded_.valid() || watched_)
+    {
+        return;
+    }
+
+    // Coordinates round off where a parcel is: with these a run that goes on
+    // from here is the same to the last bit
+    const label n = this->size();
+    IOField<vector> x(this->fieldIOobject(exactPosition, IOobject::NO_READ), n);
+    IOField<label> cell(this->fieldIOobject(convexCell, IOobject::NO_READ), n);
+    label i = 0;
+    for (const parcelType& p : *this)
+    {
+        x[i] = p.position();
+        cell[i] = p.inFlight().cell;
+        ++i;
+    }
+    x.write(n > 0);
+    cell.write(n > 0);
+}
+
+
+template<class CloudType>
+void Foam::SpinningCloud<CloudType>::readFlights()
+{
+    IOobject xHeader(this->fieldIOobject(exactPosition, IOobject::MUST_READ));
+    IOobject cellHeader(this->fieldIOobject(convexCell, IOobject::MUST_READ));
+    const bool there =
+        embedded_.valid()
+     && xHeader.typeHeaderOk<IOField<vector>>(false)
+     && cellHeader.typeHeaderOk<IOField<label>>(false);
+    if (!there)
+    {
+        return;
+    }
+    IOField<vector> x(xHeader);
+    IOField<label> cell(cellHeader);
+    this->checkFieldIOobject(*this, x);
+    this->checkFieldIOobject(*this, cell);
+    label i = 0;
+    for (parcelType& p : *this)
+    {
+        const label celli = cell[i];
+        if (celli < 0 || p.cell() < 0)
+        {
+            ++i;
+            continue;
+        }
+        const scalar reach = 1e-9*cbrt(this->mesh().cellVolumes()[p.cell()]);
+        if (mag(x[i] - p.position()) < reach)
+        {
+            // Cells have other numbers on another decomposition
+            const bool known =
+                celli < cells().size() && cells().meshCell(celli) == p.cell();
+            auto& flight = p.inFlight();
+            flight.x = toCore(x[i]);
+            flight.cell =
+                known && cells().height(celli, flight.x) < reach
+              ? celli : cells().locate(p.cell(), flight.x);
+        }
+        ++i;
+    }
 }
 
 

@@ -187,10 +187,12 @@ bool Foam::SpinningParcel<ParcelType>::moveEmbedded
     // The gas of the cell, if it has to be put together
     cellGas::field store;
 
-    label left = maxForces;
+    label left = maxForces - flight_.nForces;
+    flight_.nForces = 0;
     label stalls = 0;
     label hits = 0;
-    scalar hTry = GREAT;
+    scalar hTry = flight_.hTry;
+    flight_.hTry = GREAT;
 
     force.parcel(p, ttd);
 
@@ -436,7 +438,7 @@ bool Foam::SpinningParcel<ParcelType>::moveEmbedded
         flight_.cell = celli;
         if (watched)
         {
-            settle(cells);
+            land(cells);
         }
     }
 
@@ -461,7 +463,7 @@ void Foam::SpinningParcel<ParcelType>::locate
         return;
     }
     const polyMesh& mesh = cells.mesh();
-    point at = this->position();
+    point at = ParcelType::position();
     if (mesh.nSolutionD() != 3)
     {
         meshTools::constrainToMeshCentre(mesh, at);
@@ -477,7 +479,6 @@ void Foam::SpinningParcel<ParcelType>::settle(const convexCells& cells)
     if (flight_.cell >= 0)
     {
         tetPlace::put(*this, cells, flight_.x, flight_.cell, -1);
-        flight_.cell = -1;
     }
 }
 

@@ -41,6 +41,8 @@ void Foam::BlockMotion<CloudType>::release(const int i)
     flight.x = impact::motionBlock::of(block_.x, i);
     flight.cell = cell_[i];
     flight.begun = f.begin;
+    flight.nForces = f.begin < 1 ? f.nForces : 0;
+    flight.hTry = f.begin < 1 ? block_.hTry[i] : GREAT;
     p.stepFraction() = f.begin;
     if (f.place >= 0)
     {
@@ -87,11 +89,6 @@ void Foam::BlockMotion<CloudType>::follow(const int i)
     const bool accepted = block_.accepted[i] > 0;
     const impact::particleMotion::outcome o =
         accepted ? block_.outcome(i) : alone(i);
-    f.nForces += o.nForce;
-    auto& statistics = cloud_.statistics();
-    statistics.nForces += o.nForce;
-    statistics.nForced += o.forced;
-
     State state;
     state.v = impact::motionBlock::of(block_.v, i);
     state.omega = impact::motionBlock::of(block_.omega, i);
@@ -140,7 +137,11 @@ void Foam::BlockMotion<CloudType>::follow(const int i)
         parcelType::ontoFace(cells_, place, moving_, state, o, x, end, t);
     }
     impact::motionBlock::set(block_.x, i, x);
+    auto& statistics = cloud_.statistics();
     ++statistics.nSteps;
+    statistics.nForces += o.nForce;
+    statistics.nForced += o.forced;
+    f.nForces += o.nForce;
 
     parcelType& p = *f.parcel;
     vector U = fromCore(end.v);

@@ -851,9 +851,10 @@ TEST_F(eventDrivenCollisionsTest, freeParcelsMoveAsWithoutCollisions)
             U[on] = p.U();
             omega[on] = p.omega();
         }
-        EXPECT_EQ(x[0], x[1]) << motion;
-        EXPECT_EQ(U[0], U[1]) << motion;
-        EXPECT_EQ(omega[0], omega[1]) << motion;
+        // Without collisions parcels move in blocks, which round differently
+        EXPECT_LT(mag(x[0] - x[1]), 1e-14*mag(x[0])) << motion;
+        EXPECT_LT(mag(U[0] - U[1]), 1e-13*mag(U[0])) << motion;
+        EXPECT_LT(mag(omega[0] - omega[1]), 1e-13*mag(omega[0])) << motion;
         EXPECT_GT(mag(U[0] - vector(200, 30, 0)), 10);
     }
 }
