@@ -39,12 +39,13 @@ def at(tutorial, *rows):
 
 # ----------------------------------------------------------------- scattering
 
-at("scatteringIndicatrix/figure6a",
+SMOOTH = (
    ("scattering.symmetric", "3",
     "пространственные индикатрисы оказались симметричными относительно"
     " плоскости OXY",
     "the spatial indicatrices are symmetric about OXY",
-    "largest mean of beta2 of five shapes, in standard errors", "",
+    "largest of the mean of beta2 and of chi squared of mirrored cells of I,"
+    " of five shapes, in standard errors", "",
     0, 4, "four standard errors"),
    ("scattering.smoothShapesDiffer", "3, fig. 6a",
     "для эллипсоидальных и призматических частиц существенно различаются",
@@ -63,7 +64,20 @@ at("scatteringIndicatrix/figure6a",
     "least distance of a prism's most probable angle from the sphere's",
     "deg", 5, 30, "five bins of 1 deg; 30: more than one deviation"))
 
+at("scatteringIndicatrix/figure6a", *SMOOTH, *(
+    (name + "OnLeaving", where, quote,
+     says + " (bodies followed until they leave the wall)",
+     quantity + "; on leaving the wall", *rest)
+    for name, where, quote, says, quantity, *rest in SMOOTH))
+
 at("scatteringIndicatrix/figure6b",
+   ("scattering.symmetricRough", "3",
+    "пространственные индикатрисы оказались симметричными относительно"
+    " плоскости OXY",
+    "the spatial indicatrices are symmetric about OXY, on the rough wall too",
+    "largest of the mean of beta2 and of chi squared of mirrored cells of I,"
+    " of five shapes, in standard errors", "",
+    0, 4, "four standard errors"),
    ("scattering.roughnessChanges", "3, fig. 6b",
     "При отражении частиц от шероховатой поверхности индикатриса рассеяния"
     " существенно изменяется",
