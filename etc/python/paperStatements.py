@@ -347,6 +347,60 @@ at(COLLISIONS,
     "power of 5 um at 1e-4, with spin over without, both with collisions", "",
     0.5, 1, "less; 0.5: as much as collisions do"))
 
+at("rhoCentralParcelFoam/dustyCylinderMach6Walls",
+   ("cylinder.semiRelations", "model",
+    "Параметры частицы после отскока от поверхности определяются"
+    " соотношениями",
+    "the semi-empirical relations give what a particle has after the rebound",
+    "largest deviation of recorded rebounds from them, of velocity or r omega"
+    " in parts of those on arrival", "", 0, 1e-8,
+    "the ten digits of the mesh's corners"),
+   ("cylinder.semiMechanics", "model",
+    "В ее основе помимо законов механики лежит набор экспериментальных данных",
+    "they rest on mechanics and on measured coefficients",
+    "largest change of the angular momentum about the contact in a sliding"
+    " rebound, over m r of the velocity and r omega on arrival", "", 0, 1e-8,
+    "the ten digits of the mesh's corners"),
+   *((f"cylinder.semi{name}", where, quote, says + " (semi-empirical wall)",
+      quantity, "", low, high, why, *ours)
+     for name, where, quote, says, quantity, low, high, why, *ours in (
+       ("ImpactsDouble", "results, fig. 3",
+        "примерно к двукратному росту интенсивности ударов",
+        "collisions about double the impacts already at 1e-5",
+        "impacts of 5 um at 1e-5 within 10 deg of the stagnation line, with"
+        " collisions over without", 1.7, 2.3, "about double", (1.3, 1.7),
+        "the paper gives no coefficients and does not say which wall its"
+        " figures have. At angles of 20 to 60 deg these give back several"
+        " times what the hard spheres do, and what is thrown further off"
+        " strikes again less often"),
+       ("ImpactsManyfold", "results, fig. 3",
+        "Повышение концентрации до 10^-4 влечет многократное увеличение числа"
+        " ударов", "1e-4 brings a many-fold increase of the number of impacts",
+        "impacts of 5 um at 1e-4, with collisions over without",
+        3, 30, "as with the hard-sphere wall"),
+       ("NormalSpeedFalls", "results, fig. 4",
+        "значительное уменьшение средней нормальной скорости",
+        "the mean normal speed at impact falls considerably",
+        "mean normal speed of 5 um at 1e-4, with collisions over without",
+        0.05, 0.6, "as with the hard-sphere wall"),
+       ("RepeatedImpacts", "results",
+        "наблюдаются повторные неоднократные удары",
+        "particles strike again and again",
+        "impacts per first impact, 5 um at 1e-4 with collisions",
+        2, 100, "as with the hard-sphere wall"),
+       ("PowerFalls", "results, fig. 5",
+        "ослаблению теплового воздействия частиц на тело практически на всей"
+        " поверхности",
+        "collisions weaken the thermal action practically everywhere",
+        "share of the struck surface where the power of 5 um at 1e-4 is less"
+        " with collisions", 0.8, 1, "as with the hard-sphere wall"),
+       ("Shielded", "results, fig. 5",
+        "В особой мере это проявляется в окрестности передней критической"
+        " точки", "most of all near the stagnation point",
+        "power with collisions over without, within 10 deg over that of the"
+        " whole surface, 5 um at 1e-4", 0.05, 1,
+        "as with the hard-sphere wall"))))
+
 # ---------------------------------------------------------------------- plume
 
 at("dsmcParcelFoam/twoPhaseChannel",
