@@ -142,6 +142,40 @@ TEST(undisturbedStream, aQuietOneFillsEveryIntervalAlike)
 }
 
 
+TEST(undisturbedStream, entersAtTheRateInShortWindows)
+{
+    // What enters towards a body that takes a part of the section, in a window
+    // of time of so many parcels
+    const double part = 0.15;
+    const int first = 25000, n = 20000;
+    const auto entering = [&](const int seed, const bool quiet)
+    {
+        const undisturbedStream stream(1e-5, {{5e-6, 1, 1}}, seed);
+        int count = 0;
+        for (int k = first; k < first + n; ++k)
+        {
+            count +=
+                (quiet ? stream.quietOf(k, 1) : stream.drawOf(k, 1)).a < part;
+        }
+        return count/(part*n);
+    };
+
+    const int seeds = 400;
+    double sum = 0, square = 0;
+    for (int seed = 0; seed < seeds; ++seed)
+    {
+        const double x = entering(seed, false) - 1;
+        sum += x;
+        square += x*x;
+        EXPECT_NEAR(entering(seed, true), 1, 2e-3);
+    }
+    const double deviation = std::sqrt((1 - part)/(part*n));
+    EXPECT_NEAR(sum/seeds, 0, 4*deviation/std::sqrt(seeds));
+    EXPECT_NEAR(std::sqrt(square/seeds)/deviation, 1, 4/std::sqrt(2.*seeds));
+    RecordProperty("defaultSeed", std::to_string(entering(0, false)));
+}
+
+
 TEST(undisturbedStream, refusesBadInput)
 {
     typedef std::vector<undisturbedStream::sizeClass> list;
