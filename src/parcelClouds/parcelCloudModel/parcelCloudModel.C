@@ -38,6 +38,7 @@ void findLibraries(const dictionary& dict)
         {"singhDrag", "parcelForces"},
         {"haiderLevenspielDrag", "parcelForces"},
         {"holzerSommerfeldDrag", "parcelForces"},
+        {"ganserDrag", "parcelForces"},
         {"hardSphereWall", "parcelWallInteraction"},
         {"semiEmpiricalRebound", "parcelWallInteraction"},
         {"nonSphericalRebound", "parcelWallInteraction"},

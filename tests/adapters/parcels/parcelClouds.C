@@ -347,6 +347,11 @@ TEST_F(parcelCloudsTest, dragIsThatOfTheCoreInPerfectGas)
                 "holzerSommerfeldDrag",
                 "sphericity 0.6; crosswiseSphericity 0.9;", 1, "",
                 {{"sphericity", 0.6}, {"crosswiseSphericity", 0.9}}
+            },
+            {
+                "ganserDrag",
+                "sphericity 0.6; projectedDiameterRatio 1.3;", 1, "",
+                {{"sphericity", 0.6}, {"projectedDiameterRatio", 1.3}}
             }
         }
     )
@@ -410,6 +415,12 @@ TEST_F(parcelCloudsTest, refusesBadEntriesOfDragLaws)
             {
                 "holzerSommerfeldDrag { sphericity 1; crosswiseSphericity"
                 " 2000; }", {"crosswiseSphericity 2000", "(0, 1000]"}
+            },
+            {"ganserDrag;", {"sphericity", "missing", "(0, 1]"}},
+            {"ganserDrag { sphericity 1.2; }", {"sphericity 1.2", "(0, 1]"}},
+            {
+                "ganserDrag { sphericity 0.8; projectedDiameterRatio 0; }",
+                {"projectedDiameterRatio 0", "(0, 1000]"}
             }
         }
     )
@@ -530,7 +541,7 @@ TEST_F(parcelCloudsTest, takesTheAnnotatedDictionaries)
         const char* model
       : {
             "hendersonDrag", "lothDrag", "singhDrag",
-            "haiderLevenspielDrag", "holzerSommerfeldDrag",
+            "haiderLevenspielDrag", "holzerSommerfeldDrag", "ganserDrag",
             "crossSectionInjection", "rakeInjection", "impactRecords"
         }
     )
@@ -542,7 +553,7 @@ TEST_F(parcelCloudsTest, takesTheAnnotatedDictionaries)
     list
     (
         "(hendersonDrag lothDrag singhDrag haiderLevenspielDrag"
-        " holzerSommerfeldDrag crossSectionInjection rakeInjection"
+        " holzerSommerfeldDrag ganserDrag crossSectionInjection rakeInjection"
         " impactRecords)"
     );
     ASSERT_EQ(read(folder/"parcelClouds").get<wordList>("clouds").size(), 2);

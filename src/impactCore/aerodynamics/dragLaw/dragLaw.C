@@ -136,6 +136,11 @@ const std::vector<impact::dragLaw::kind>& impact::dragLaw::kinds()
                 {"lengthwiseSphericity", "(0, 1000]", -1, "sphericity"}
             },
             {}, make<holzerSommerfeldDrag>
+        },
+        {
+            "ganserDrag", false,
+            {sphericity, {"projectedDiameterRatio", "(0, 1000]", 1, nullptr}},
+            {}, make<ganserDrag>
         }
     };
     return all;

@@ -46,3 +46,25 @@ double impact::holzerSommerfeldDrag::of(double Re, double, double) const
 {
     return stokes_ + transition_*std::sqrt(Re) + newton_*Re;
 }
+
+
+// * * * * * * * * * * * * * * * * ganserDrag  * * * * * * * * * * * * * * * //
+
+impact::ganserDrag::ganserDrag(const coefficients& c)
+:
+    dragLawOf<ganserDrag>(c.TpOverT)
+{
+    const double p = c.numbers.at("sphericity");
+    const double dnOverdv = c.numbers.at("projectedDiameterRatio");
+    K1_ = 3/(dnOverdv + 2/std::sqrt(p));
+    K2_ = std::pow(10, 1.8148*std::pow(-std::log10(p), 0.5743));
+}
+
+
+double impact::ganserDrag::of(double Re, double, double) const
+{
+    const double X = Re*K1_*K2_;
+    return
+        24/K1_*(1 + 0.1118*std::pow(X, 0.6567))
+      + 0.4305*K2_*Re*(X/(X + 3305));
+}
