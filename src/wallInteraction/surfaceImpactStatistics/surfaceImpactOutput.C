@@ -21,36 +21,65 @@ Description
 const std::vector<Foam::surfaceImpactStatistics::result>&
 Foam::surfaceImpactStatistics::allResults()
 {
+    const label rate = AREA_AND_TIME;
+    const dimensionSet number(inv(dimArea*dimTime));
+    const dimensionSet mass(dimMass/dimArea/dimTime);
+    const dimensionSet power(dimPower/dimArea);
+    const scalar year = 365.25*86400;
+    const char* none = nullptr;
+
     static const std::vector<result> all
     ({
-        {"intensity", NUMBER, false, false, inv(dimArea*dimTime), nullptr},
-        {"firstIntensity", FIRST, false, false, inv(dimArea*dimTime), nullptr},
-        {"meanNormalSpeed", NORMAL_SPEED, true, false, dimVelocity, nullptr},
-        {"specificPower", LOST, false, true, dimPower/dimArea, nullptr},
+        {"intensity", NUMBER, rate, false, number, none, none, 1},
+        {"firstIntensity", FIRST, rate, false, number, none, none, 1},
         {
-            "specificPowerTranslational", LOST_TRANSLATIONAL, false, true,
-            dimPower/dimArea, nullptr
+            "meanNormalSpeed", NORMAL_SPEED, NUMBER, false, dimVelocity,
+            none, none, 1
         },
-        {"impactAngle", ANGLE, true, false, dimless, nullptr},
+        {"specificPower", LOST, rate, true, power, none, none, 1},
         {
-            "massFlux", MASS, false, false, dimMass/dimArea/dimTime, nullptr
-        },
-        {
-            "specificPowerIncident", INCIDENT, false, false,
-            dimPower/dimArea, nullptr
+            "specificPowerTranslational", LOST_TRANSLATIONAL, rate, true,
+            power, none, none, 1
         },
         {
-            "capturedMassFlux", CAPTURED, false, true,
-            dimMass/dimArea/dimTime, nullptr
+            "impactAngle", ANGLE, NUMBER, false, dimless, none, none,
+            radToDeg()
         },
-        {"erosionRate", EROSION, false, false, dimVelocity, "erosion"},
+        {"massFlux", MASS, rate, false, mass, none, none, 1},
+        {"specificPowerIncident", INCIDENT, rate, false, power, none, none, 1},
+        {"capturedMassFlux", CAPTURED, rate, true, mass, none, none, 1},
+        {"erosionRate", EROSION, rate, false, dimVelocity, "erosion", none, 1},
         {
-            "specificHeatIncident", HEAT_INCIDENT, false, false,
-            dimPower/dimArea, "heat"
+            "wearRate", EROSION, rate, false, dimless, "erosion", "mm/year",
+            1e3*year
         },
-        {"heatFlux", HEAT, false, true, dimPower/dimArea, "heat"}
+        {
+            "specificErosion", EROSION, MASS, false, dimless, "erosion",
+            "mm3/kg", 1e9
+        },
+        {
+            "specificHeatIncident", HEAT_INCIDENT, rate, false, power, "heat",
+            none, 1
+        },
+        {"heatFlux", HEAT, rate, true, power, "heat", none, 1}
     });
     return all;
+}
+
+
+Foam::word Foam::surfaceImpactStatistics::result::column
+(
+    const bool error
+) const
+{
+    std::string s(name);
+    s += error ? "Error" : "";
+    if (unit)
+    {
+        s += std::string("_") + unit;
+        s.replace(s.find('/'), 1, "_per_");
+    }
+    return word(s);
 }
 
 
@@ -63,12 +92,11 @@ impact::blockStatistics::estimate Foam::surfaceImpactStatistics::estimate
 ) const
 {
     impact::blockStatistics::estimate e =
-        r.perImpact
-      ? statistics.ratio(item, r.sum, NUMBER)
-      : statistics.rate(item, r.sum);
+        r.per == AREA_AND_TIME
+      ? statistics.rate(item, r.sum)
+      : statistics.ratio(item, r.sum, r.per);
 
-    const scalar scale =
-        r.sum == ANGLE ? radToDeg() : r.perImpact ? 1 : 1/area;
+    const scalar scale = r.per == AREA_AND_TIME ? r.scale/area : r.scale;
     e.value *= scale;
     if (e.error >= 0)
     {
@@ -88,7 +116,7 @@ bool Foam::surfaceImpactStatistics::known
 {
     return
         (!r.needsRebound || statistics.sum(item, REBOUND_UNKNOWN) == 0)
-     && (!r.perImpact || statistics.sum(item, IMPACTS) > 0);
+     && (r.per == AREA_AND_TIME || statistics.sum(item, IMPACTS) > 0);
 }
 
 
@@ -160,16 +188,16 @@ void Foam::surfaceImpactStatistics::writeTable
     os  << firstColumn.c_str();
     for (label i = 0; i < nLeading; ++i)
     {
-        os  << ',' << all[i].name;
+        os  << ',' << all[i].column(false);
     }
     os  << ",nImpacts";
     for (label i = 0; i < nLeading; ++i)
     {
-        os  << ',' << all[i].name << "Error";
+        os  << ',' << all[i].column(true);
     }
     for (label i = nLeading; i < nResults(); ++i)
     {
-        os  << ',' << all[i].name << ',' << all[i].name << "Error";
+        os  << ',' << all[i].column(false) << ',' << all[i].column(true);
     }
     os  << ",area,reboundKnown\n";
 
@@ -283,6 +311,11 @@ void Foam::surfaceImpactStatistics::makeFields()
             }
             volScalarField& field =
                 makeField(word(r.name) + (error ? "Error" : ""), r.dimensions);
+            if (r.unit)
+            {
+                // Into the head of the file: no dimensions are millimetres
+                field.note() = r.unit;
+            }
             for (const label patchi : patches_)
             {
                 fvPatchScalarField& values = field.boundaryFieldRef()[patchi];
@@ -316,6 +349,33 @@ void Foam::surfaceImpactStatistics::makeFields()
                 }
             }
         }
+    }
+}
+
+
+void Foam::surfaceImpactStatistics::reportWear() const
+{
+    for (const label patchi : patches_)
+    {
+        const label item = patchItem_[patchi];
+        Info<< "    wear of " << mesh_.boundaryMesh()[patchi].name();
+        const char* separator = ": ";
+        for (const result& r : results_)
+        {
+            if (r.sum == EROSION && r.unit && known(*bins_, item, r))
+            {
+                const auto e = estimate(*bins_, item, r, areas_[item]);
+                Info<< separator << e.value;
+                if (e.error >= 0)
+                {
+                    Info<< " +- " << e.error;
+                }
+                Info<< ' ' << r.unit;
+                separator = ", ";
+            }
+        }
+        Info<< nl << "        (" << 1e9*bins_->sum(item, EROSION)
+            << " mm3 by " << bins_->sum(item, MASS) << " kg)" << nl;
     }
 }
 
@@ -357,6 +417,10 @@ void Foam::surfaceImpactStatistics::report() const
     {
         Info<< "    rebound unknown (stock wall model) for " << unknown
             << " impacts" << nl;
+    }
+    if (erosion_)
+    {
+        reportWear();
     }
     if (stop_)
     {

@@ -338,6 +338,17 @@ void Foam::surfaceImpactStatistics::setStop()
     )
     {
         const label i = valid.find(name);
+        for (const result& r : allResults())
+        {
+            if (i < 0 && name == r.name)
+            {
+                FatalIOErrorInFunction(*dict)
+                    << "Entry quantities: " << name << " needs the entry "
+                    << r.entry << " of " << functionName_
+                    << ", see etc/caseDicts/annotated/surfaceImpact"
+                    << exit(FatalIOError);
+            }
+        }
         if (i < 0)
         {
             unknownWord(*dict, "quantities", name, valid);

@@ -5,6 +5,7 @@ import csv
 import filecmp
 import math
 import os
+import re
 import shutil
 
 import numpy as np
@@ -138,7 +139,7 @@ def same_table(a, b):
         x, y = np.nan_to_num(a[key]), np.nan_to_num(b[key])
         # Errors are differences of sums: compare with what they belong to
         scale = np.maximum(np.abs(x), np.abs(y))
-        base = key[:-5] if key.endswith("Error") else key
+        base = key.replace("Error", "")
         scale = np.maximum(scale, np.abs(np.nan_to_num(a[base])))
         with np.errstate(invalid="ignore"):
             worst = max(worst, np.max(np.nan_to_num(np.abs(x - y)/scale)))
@@ -289,6 +290,76 @@ verdict("dispersed_velocity", np.allclose(velocity[inner], (V, 0, 0),
                                           rtol=1e-12, atol=1e-9)
         and np.max(rms) < 1e-9*V, f"rms at most {np.max(rms):.2g} m/s")
 
+# ------------------------------------ wear by a known stream at known angles
+
+# Half of the stream strikes the plate, at atan(600/120) to it; the other half
+# the upper side on its way, at atan(120/600)
+STREAM = (600.0, 120.0, 0.0)
+case = prepare("wear", surface("patches (plate sides); window { start 2e-4; }"
+                               " erosion { model Oka; hardness 1.8; }").replace(
+                                   "patches (plate);", ""),
+               cylinder=False, u0=STREAM, control=ascii_format)
+log = solve(case)
+p = table(case, "byPatch")
+row = {key: column[p["patch"].index("plate")] for key, column in p.items()}
+
+
+def oka(angle):
+    """mm3/kg by the formula as printed, in GPa, m/s and um"""
+    hv, s = 1.8, math.sin(angle)
+    return (65*hv**-0.12*(math.hypot(*STREAM)/104)**(2.3*hv**0.038)
+            * (D*1e6/326)**0.19
+            * s**(0.71*hv**0.14)*(1 + hv*(1 - s))**(2.4*hv**-0.94))
+
+
+steep, flat = math.atan2(STREAM[0], STREAM[1]), math.atan2(*STREAM[1::-1])
+known = [oka(steep if name == "plate" else flat) for name in p["patch"]]
+verdict("specific_erosion", sorted(p["patch"]) == ["plate", "sides"]
+        and np.allclose(p["specificErosion_mm3_per_kg"], known, rtol=1e-9)
+        and np.all(p["specificErosionError_mm3_per_kg"]
+                   < 1e-9*np.array(known)),
+        f"{p['specificErosion_mm3_per_kg']} of {known} mm3/kg")
+flux = RHO*CV*STREAM[0]*(0.02/0.04)
+year = 365.25*24*3600           # s
+exact = flux*oka(steep)*1e-9*1e3*year
+bar = 4*math.sqrt(0.5/row["nImpacts"])
+verdict("wear_rate", abs(row["wearRate_mm_per_year"]/exact - 1) < bar < 0.1
+        and abs(row["wearRate_mm_per_year"]
+                / (row["erosionRate"]*1e3*year) - 1) < 1e-9
+        and abs(row["wearRateError_mm_per_year"]/row["wearRate_mm_per_year"]
+                / (row["massFluxError"]/row["massFlux"]) - 1) < 1e-6,
+        f"{row['wearRate_mm_per_year']:.4g} of {exact:.4g} mm/year,"
+        f" allowed {100*bar:.1f} %")
+depth = boundary(case, "0.0004", CLOUD + ":surfaceImpact:wearRate")
+ratio = boundary(case, "0.0004", CLOUD + ":surfaceImpact:specificErosion")
+metres = boundary(case, "0.0004", CLOUD + ":surfaceImpact:erosionRate")
+verdict("wear_of_faces", np.allclose(depth, metres*1e3*year, rtol=1e-5)
+        and abs(depth.mean()/row["wearRate_mm_per_year"] - 1) < 1e-5
+        and np.allclose(ratio, np.where(depth > 0, oka(steep), 0), rtol=1e-5)
+        and 5 < np.count_nonzero(ratio) < len(ratio) == 20,
+        f"{np.count_nonzero(ratio)} of {len(ratio)} faces are struck, all at"
+        f" {ratio.max():.6g} mm3/kg")
+
+
+def unit_of(result):
+    with open(os.path.join(case, "0.0004",
+                           CLOUD + ":surfaceImpact:" + result)) as file:
+        return re.findall(r'note +"([^"]*)";', file.read())
+
+
+told = re.search(r"wear of plate: (\S+) \+- (\S+) mm/year,"
+                 r" (\S+) \+- \S+ mm3/kg\n +\((\S+) mm3 by (\S+) kg\)",
+                 log[log.rindex("surfaceImpact of"):])
+told = list(map(float, told.groups())) if told else [math.nan]*5
+verdict("wear_in_words", np.allclose(told, [
+    row["wearRate_mm_per_year"], row["wearRateError_mm_per_year"],
+    oka(steep), told[4]*oka(steep), row["massFlux"]*row["area"]*2e-4],
+                                     rtol=1e-4)
+        and unit_of("wearRate") == unit_of("wearRateError") == ["mm/year"]
+        and unit_of("specificErosion") == ["mm3/kg"]
+        and unit_of("erosionRate") == [],
+        f"the log says {told}")
+
 # -------------------------------------- rebounding parcels, ranks and restart
 
 def channel(name, control="", write=200):
@@ -335,6 +406,8 @@ differ = [n for n in a if n not in b or not filecmp.cmp(
 verdict("restart_is_bitwise", a == b and not differ
         and any("uniform" in n and "surfaceImpact" in n for n in a)
         and any("specificPowerIncidentError" in n for n in a)
+        and any("wearRateError" in n for n in a)
+        and any("specificErosion" in n for n in a)
         and any("dispersedPhase:URms" in n for n in a), str(differ[:5]))
 verdict("restart_has_the_same_table", all(
     filecmp.cmp(os.path.join(straight, "postProcessing/surfaceImpact", CLOUD,
@@ -601,6 +674,9 @@ refused("stop_bins_without_axis", surface(
 refused("stop_quantity", surface(
     "stopAtError { target 0.1; quantities (speed); }"), "quantities", "speed",
         "meanNormalSpeed")
+refused("stop_without_erosion", surface(
+    "stopAtError { target 0.1; quantities (wearRate); }"), "stopAtError",
+        "quantities", "wearRate", "needs the entry erosion")
 refused("erosion_model", surface("erosion { model Bitter; }"), "Bitter",
         "Finnie", "Oka")
 refused("flow_stress", surface("erosion { model Finnie; p 0; }"), "p",
