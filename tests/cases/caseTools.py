@@ -290,6 +290,25 @@ def same_bits(case, other, time, names="p T U rho"):
                 read_field(os.path.join(other, time, n)))]
 
 
+def summary_of(log):
+    """What the end of a solver's log says: CPU seconds and shares by part,
+    the columns of each kind of particles (nan: unknown), and the warnings as
+    (how often, text)."""
+    text = log[log.rindex("Summary of this run"):]
+    parts = {name: (float(seconds), float(share)) for name, seconds, share in
+             re.findall(r"(?m)^    (\S.*?) +([-\d.]+) +([-\d.]+) %$", text)}
+    particles = {}
+    table = re.search(r"(?m)^    particles +at start .*\n((?:    .*\n)+)", text)
+    for line in table[1].splitlines() if table else ():
+        name, *numbers = line.split()
+        particles[name] = dict(zip(
+            ("start", "injected", "flying", "escaped", "stuck", "lost"),
+            (np.nan if n == "unknown" else int(n) for n in numbers)))
+    warnings = [(int(n), what) for n, what in
+                re.findall(r"(?m)^    (\d+) x (.*)$", text)]
+    return parts, particles, warnings
+
+
 # -------------------------------------------------------- laws written anew
 
 def hard_sphere(V, w, n, r, e, f):

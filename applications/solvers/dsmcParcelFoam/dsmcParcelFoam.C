@@ -16,10 +16,12 @@ Description
 #include "dsmcGas.H"
 #include "release.H"
 #include "runProgress.H"
+#include "runSummary.H"
 #include "solidParticles.H"
 
 int main(int argc, char* argv[])
 {
+    runSummary summary;
     argList::addNote
     (
         "Rarefied gas by direct simulation Monte Carlo, on the files of"
@@ -67,11 +69,13 @@ int main(int argc, char* argv[])
         progress.report();
     }
 
-    gas.info();
+    gas.account(summary);
     if (solids.valid())
     {
-        solids->info();
+        solids->account(summary);
     }
+    summary.part("writing", completeWrite::cpuTime());
+    summary.print();
     Info<< "End" << nl << endl;
     return 0;
 }

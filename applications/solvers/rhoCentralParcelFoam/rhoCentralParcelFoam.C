@@ -19,9 +19,11 @@ Description
 #include "parcelClouds.H"
 #include "release.H"
 #include "runProgress.H"
+#include "runSummary.H"
 
 int main(int argc, char* argv[])
 {
+    runSummary summary;
     argList::addNote
     (
         "Compressible flow of a perfect gas (transient, steady or frozen)"
@@ -87,8 +89,10 @@ int main(int argc, char* argv[])
         progress.report();
     }
 
-    gas.info();
-    clouds.info();
+    gas.account(summary);
+    clouds.account(summary);
+    summary.part("writing", completeWrite::cpuTime());
+    summary.print();
     Info<< "End" << nl << endl;
     return 0;
 }

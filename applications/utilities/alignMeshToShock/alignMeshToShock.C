@@ -30,6 +30,7 @@ Description
 #include "OFstream.H"
 #include "presentFile.H"
 #include "release.H"
+#include "runSummary.H"
 #include "shockAlignment.H"
 
 namespace
@@ -75,6 +76,7 @@ void write(const UPtrList<const regIOobject>& objects)
 
 int main(int argc, char* argv[])
 {
+    runSummary summary;
     argList::addNote
     (
         "Move the layers around a body to the bow shock before it"
@@ -127,7 +129,7 @@ int main(int argc, char* argv[])
     shockAlignment alignment(mesh, dict.valid() ? *dict : dictionary());
     highSpeedGas gas(mesh);
     gas.align(alignment);
-    gas.info();
+    gas.account(summary);
 
     // What is written is what was found, to the last digit
     IOstream::defaultPrecision(17);
@@ -143,7 +145,8 @@ int main(int argc, char* argv[])
     withReason([&] { write(objects); });
     Info<< "Fields p, T, U of time " << runTime.timeName() << " written" << nl
         << "Points written to "
-        << points.instance()/points.local()/points.name() << nl
-        << "End" << nl << endl;
+        << points.instance()/points.local()/points.name() << nl;
+    summary.print();
+    Info<< "End" << nl << endl;
     return 0;
 }

@@ -11,6 +11,7 @@
 #include "SHA1.H"
 #include "checked.H"
 #include "finishFile.H"
+#include "processorTime.H"
 
 #include <algorithm>
 #include <fstream>
@@ -153,6 +154,7 @@ static fileName markFolder(const Time& runTime, const word& timeName)
 
 bool Foam::completeWrite::pending_ = false;
 
+Foam::scalar Foam::completeWrite::cpuTime_ = 0;
 
 
 bool Foam::completeWrite::unfinished(const fileName& timeFolder)
@@ -320,6 +322,7 @@ bool Foam::completeWrite::write(Time& runTime)
     {
         return false;
     }
+    const processorTime timer(cpuTime_);
     begin(runTime);
     withReason([&] { runTime.write(); }, goOn);
     pending_ = true;
@@ -329,6 +332,7 @@ bool Foam::completeWrite::write(Time& runTime)
 
 void Foam::completeWrite::writeNow(Time& runTime)
 {
+    const processorTime timer(cpuTime_);
     begin(runTime);
     withReason([&] { runTime.writeNow(); }, goOn);
     pending_ = true;
@@ -340,6 +344,7 @@ bool Foam::completeWrite::run(Time& runTime)
     const bool goesOn = runTime.run();
     if (pending_)
     {
+        const processorTime timer(cpuTime_);
         end(runTime);
         pending_ = false;
     }

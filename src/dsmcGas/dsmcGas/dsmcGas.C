@@ -7,6 +7,7 @@
 #include "lagrangianFile.H"
 #include "maxwellian.H"
 #include "presentFile.H"
+#include "runSummary.H"
 #include "wallPolyPatch.H"
 #include "wordRes.H"
 
@@ -870,16 +871,15 @@ void Foam::dsmcGas::record()
 }
 
 
-void Foam::dsmcGas::info() const
+void Foam::dsmcGas::account(runSummary& summary) const
 {
     events e = recent_;
     e.sumOverProcessors();
     e.add(total_);
     const label n = returnReduce(molecules_.size(), sumOp<label>());
     const label lost = returnReduce(molecules_.nLost(), sumOp<label>());
-    const scalar move = returnReduce(moveTime_, sumOp<scalar>());
-    const scalar collide = returnReduce(collideTime_, sumOp<scalar>());
-    const scalar sample = returnReduce(sampleTime_, sumOp<scalar>());
+    const scalar time =
+        returnReduce(moveTime_ + collideTime_ + sampleTime_, sumOp<scalar>());
 
     Info<< "Molecules: " << nStart_ << " at the start + "
         << whole(e.entered) << " entered - " << whole(e.left) << " left - "
@@ -892,11 +892,18 @@ void Foam::dsmcGas::info() const
             << exit(FatalError);
     }
     Info<< "Collisions: " << whole(e.collisions) << " in " << whole(e.steps)
-        << " steps" << nl
-        << "Processor time: " << move << " s moving, " << collide
-        << " s colliding, " << sample << " s sampling; "
-        << e.moleculeSteps/max(move + collide + sample, SMALL)
-        << " molecule-steps per second" << nl << endl;
+        << " steps, " << e.moleculeSteps/max(time, SMALL)
+        << " molecule-steps per CPU s" << nl << endl;
+
+    summary.part("gas, moving", moveTime_);
+    summary.part("gas, colliding", collideTime_);
+    summary.part("gas, sampling", sampleTime_);
+    summary.particles
+    (
+        {
+            "molecules", scalar(nStart_), e.entered, scalar(n), true, e.left, 0
+        }
+    );
 }
 
 

@@ -4,6 +4,8 @@
 
 #include "highSpeedGas.H"
 #include "checked.H"
+#include "processorTime.H"
+#include "runSummary.H"
 #include "shockAlignment.H"
 #include "steadyFeedback.H"
 #include "steadySolution.H"
@@ -493,7 +495,7 @@ void Foam::highSpeedGas::align(shockAlignment& alignment)
     );
     alignment.checkInflow(U_, sqrt(thermo_->gamma()/thermo_->psi()));
 
-    const scalar start = mesh_.time().elapsedCpuTime();
+    const processorTime timer(cpuTime_);
 
     // The shock stands long before the last cell is at rest
     const scalar residual = max(residual_, 1e-4);
@@ -513,8 +515,6 @@ void Foam::highSpeedGas::align(shockAlignment& alignment)
     alignment.report();
     findSteadyState(residual_, true);
     publish();
-
-    cpuTime_ += mesh_.time().elapsedCpuTime() - start;
 }
 
 
@@ -569,7 +569,7 @@ bool Foam::highSpeedGas::solve()
         return false;
     }
 
-    const scalar start = mesh_.time().elapsedCpuTime();
+    const processorTime timer(cpuTime_);
 
     {
         // A floating-point exception would end the run before it can say
@@ -623,8 +623,6 @@ bool Foam::highSpeedGas::solve()
     {
         equations_->warnOfWallHeat();
     }
-
-    cpuTime_ += mesh_.time().elapsedCpuTime() - start;
     return true;
 }
 
@@ -640,20 +638,17 @@ void Foam::highSpeedGas::receive
         feedback_->receive(momentum, energy);
         return;
     }
-    const scalar start = mesh_.time().elapsedCpuTime();
+    const processorTime timer(cpuTime_);
     const sigFpe::ignore untrapped;
 
     equations_->receive(momentum, energy);
     publish();
-
-    cpuTime_ += mesh_.time().elapsedCpuTime() - start;
 }
 
 
-void Foam::highSpeedGas::info() const
+void Foam::highSpeedGas::account(runSummary& summary) const
 {
-    Info<< "Gas: " << returnReduce(cpuTime_, sumOp<scalar>())
-        << " s of processor time" << endl;
+    summary.part("gas", cpuTime_);
     if (feedback_.valid())
     {
         feedback_->warnUnlessAtRest();

@@ -53,8 +53,11 @@ void Foam::steadySolution::report(const char* method, const scalar Co) const
 {
     if (iterations_ % settings_.reportEvery == 0)
     {
+        const label k = imbalance_.worst();
         Info<< "Gas: iteration " << iterations_ << ", " << method
-            << ", Courant number " << Co << ", imbalance of " << imbalance_;
+            << ", Courant number " << Co << ", imbalance of " << imbalance_
+            << ", most of " << gasImbalance::names[k] << " in the cell at "
+            << imbalance_.place[k];
         if (equations_.turbulent())
         {
             Info<< ", change of eddies " << eddyChange_;

@@ -4,12 +4,14 @@
 
 #include "parcelCloudModel.H"
 #include "checked.H"
+#include "processorTime.H"
 #include "stockCloudEntries.H"
 #include "IOdictionary.H"
 #include "Time.H"
 
-#include <ctime>
+#include <cstdlib>
 #include <dlfcn.h>
+#include <sstream>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -94,7 +96,8 @@ void findLibraries(const dictionary& dict)
 Foam::parcelCloudModel::parcelCloudModel()
 :
     cpuTime_(0),
-    nParcelSteps_(0)
+    nParcelSteps_(0),
+    before_{}
 {}
 
 
@@ -196,7 +199,9 @@ Foam::autoPtr<Foam::parcelCloudModel> Foam::parcelCloudModel::New
     }
 
     Info<< "Cloud " << name << " (" << type << ")" << endl;
-    return constructor()(name, rho, U, mu, g);
+    autoPtr<parcelCloudModel> cloud(constructor()(name, rho, U, mu, g));
+    cloud->before_ = cloud->balance();
+    return cloud;
 }
 
 
@@ -204,9 +209,65 @@ Foam::autoPtr<Foam::parcelCloudModel> Foam::parcelCloudModel::New
 
 void Foam::parcelCloudModel::evolve()
 {
-    // OpenFOAM's own cpuTime counts in hundredths of a second
-    const std::clock_t start = std::clock();
-    advance();
-    cpuTime_ += scalar(std::clock() - start)/CLOCKS_PER_SEC;
+    {
+        const processorTime timer(cpuTime_);
+        advance();
+    }
     nParcelSteps_ += nParcels();
+}
+
+
+bool Foam::parcelCloudModel::readFates
+(
+    const std::string& report,
+    scalar& escaped,
+    scalar& stuck
+)
+{
+    // The fates of the system count impacts on patches that are no walls,
+    // whatever becomes of the parcel: those of the patches tell it
+    bool ofPatch = false;
+    bool told = false;
+    std::istringstream lines(report);
+    for (std::string line; std::getline(lines, line);)
+    {
+        if (line.find("Parcel fate:") != std::string::npos)
+        {
+            ofPatch = line.find("patch") != std::string::npos;
+            told = told || ofPatch;
+        }
+        const std::size_t equals = line.find('=');
+        if (ofPatch && equals != std::string::npos)
+        {
+            const scalar n = std::strtod(line.c_str() + equals + 1, nullptr);
+            escaped += line.find("- escape") < equals ? n : 0;
+            stuck += line.find("- stick") < equals ? n : 0;
+        }
+    }
+    return told;
+}
+
+
+Foam::runSummary::balance Foam::parcelCloudModel::balance()
+{
+    runSummary::balance b{};
+    b.name = name();
+    b.injected = nInjected();
+    b.inFlight = returnReduce(nActive(), sumOp<label>());
+    b.fatesKnown = returnReduce(readFates(b.escaped, b.stuck), orOp<bool>());
+    reduce(b.escaped, sumOp<scalar>());
+    reduce(b.stuck, sumOp<scalar>());
+    return b;
+}
+
+
+void Foam::parcelCloudModel::account(runSummary& summary)
+{
+    summary.part("cloud " + name(), cpuTime_);
+    runSummary::balance b(balance());
+    b.start = before_.inFlight;
+    b.injected -= before_.injected;
+    b.escaped -= before_.escaped;
+    b.stuck -= before_.stuck;
+    summary.particles(b);
 }

@@ -229,11 +229,11 @@ bool Foam::parcelClouds::coupled() const
 }
 
 
-void Foam::parcelClouds::info() const
+void Foam::parcelClouds::account(runSummary& summary)
 {
     forAll(clouds_, i)
     {
-        const parcelCloudModel& cloud = clouds_[i];
+        parcelCloudModel& cloud = clouds_[i];
         const scalar steps =
             returnReduce(cloud.nParcelSteps(), sumOp<scalar>());
         const scalar cpu = returnReduce(cloud.cpuTime(), sumOp<scalar>());
@@ -246,6 +246,7 @@ void Foam::parcelClouds::info() const
             Info<< " (" << steps/cpu << " 1/s)";
         }
         Info<< endl;
+        cloud.account(summary);
     }
 }
 

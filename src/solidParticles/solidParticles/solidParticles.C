@@ -6,6 +6,7 @@
 #include "coreVector.H"
 #include "lagrangianFile.H"
 #include "processorPolyPatch.H"
+#include "runSummary.H"
 #include "sizeGroups.H"
 #include "checked.H"
 #include "presentFile.H"
@@ -427,7 +428,7 @@ void Foam::solidParticles::readTallies()
     label balance = 0;
     for (label k = 0; k < nFates; ++k)
     {
-        const label n = returnReduce(tally_[k].simulators, sumOp<label>());
+        const label n = nSimulators(fate(k));
         balance += k <= entered ? n : -n;
     }
     nLostBefore_ = balance - returnReduce(particles_.size(), sumOp<label>());
@@ -441,6 +442,12 @@ void Foam::solidParticles::readTallies()
             restore(deposits.subDict(e.keyword()), deposits_[patchi]);
         }
     }
+}
+
+
+Foam::label Foam::solidParticles::nSimulators(const fate k) const
+{
+    return returnReduce(tally_[k].simulators, sumOp<label>());
 }
 
 
@@ -584,9 +591,9 @@ void Foam::solidParticles::findBusyCells()
 }
 
 
-Foam::solidParticles::account Foam::solidParticles::accountOfBusyCells()
+Foam::solidParticles::contents Foam::solidParticles::contentsOfBusyCells()
 {
-    account a;
+    contents a;
     for (const label celli : busy_)
     {
         const auto gas = gas_.weight()*exchange_->of(moleculesOf(celli));
@@ -850,6 +857,7 @@ Foam::solidParticles::solidParticles
     ),
     hits_(0),
     nLostBefore_(0),
+    nStart_(0),
     deposits_(mesh.boundaryMesh().size()),
     duration_(0),
     momentumError_(0),
@@ -876,6 +884,11 @@ Foam::solidParticles::solidParticles
     inflow_.reset(new solidInflow(properties_, cells, gas, groups_));
     readParticles();
     readTallies();
+    nStart_ = returnReduce(particles_.size(), sumOp<label>());
+    for (label k = 0; k < nFates; ++k)
+    {
+        before_[k] = nSimulators(fate(k));
+    }
     if (properties_.found("sampling"))
     {
         scalarList mass;
@@ -934,10 +947,10 @@ void Foam::solidParticles::exchange()
 {
     findBusyCells();
     const bool checks = exchange_->twoWay() && reportNow();
-    account before;
+    contents before;
     if (checks)
     {
-        before = accountOfBusyCells();
+        before = contentsOfBusyCells();
     }
 
     clock_t since = std::clock();
@@ -977,7 +990,7 @@ void Foam::solidParticles::exchange()
 
     if (checks)
     {
-        const account after = accountOfBusyCells();
+        const contents after = contentsOfBusyCells();
         const impact::balance change = after.all - before.all;
         momentumError_ =
             mag(change.momentum)/max(after.momentumScale, VSMALL);
@@ -1006,7 +1019,7 @@ void Foam::solidParticles::record()
 }
 
 
-void Foam::solidParticles::info() const
+void Foam::solidParticles::account(runSummary& summary) const
 {
     const auto sums = [](tally t)
     {
@@ -1043,10 +1056,7 @@ void Foam::solidParticles::info() const
                 << t.simulators << "  " << t.number << "  " << t.mass << nl;
         }
     }
-    Info<< "    processor time: "
-        << returnReduce(moveTime_, sumOp<scalar>()) << " s moving, "
-        << returnReduce(exchangeTime_, sumOp<scalar>())
-        << " s exchanging with the gas" << nl << endl;
+    Info<< endl;
     if (interface_.valid())
     {
         interface_->info();
@@ -1057,6 +1067,20 @@ void Foam::solidParticles::info() const
             << "The balance of solid particles does not close"
             << exit(FatalError);
     }
+
+    const auto inThisRun = [&](const fate k)
+    {
+        return scalar(nSimulators(k) - before_[k]);
+    };
+    summary.part("solids, moving", moveTime_);
+    summary.part("solids, exchange", exchangeTime_);
+    summary.particles
+    (
+        {
+            "solids", scalar(nStart_), inThisRun(entered), scalar(n), true,
+            inThisRun(left) + inThisRun(escaped), inThisRun(stuck)
+        }
+    );
 }
 
 

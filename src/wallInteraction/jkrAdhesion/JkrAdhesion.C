@@ -131,7 +131,9 @@ void Foam::JkrAdhesion<CloudType>::add(wallLayer::release& r)
     parcelSpin::set(*p, omega);
     parcelPast::setInitialMass(*p, 0);
 
-    wallCounters::counts& c = wallCounters::New(this->owner()).of(r.patch);
+    wallCounters& counters = wallCounters::New(this->owner());
+    counters.release();
+    wallCounters::counts& c = counters.of(r.patch);
     const scalar mass = r.number*p->mass();
     c[wallCounters::special + detachedParticles] += r.number;
     c[wallCounters::special + detachedMass] += mass;

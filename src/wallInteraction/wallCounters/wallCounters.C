@@ -72,7 +72,8 @@ scalarList readTotals(const dictionary& stored, const word& entry)
 Foam::wallCounters::wallCounters(const IOobject& io)
 :
     regIOobject(io),
-    patches_()
+    patches_(),
+    nReleased_(0)
 {}
 
 
@@ -120,9 +121,29 @@ Foam::word Foam::wallCounters::declare
     patches_.set
     (
         patchi,
-        new patchCounts{patch, model, nested, open, specials, counts(Zero)}
+        new patchCounts
+        {
+            patch, model, nested, open, specials, counts(Zero), counts(Zero)
+        }
     );
     return word();
+}
+
+
+Foam::wallCounters::fates Foam::wallCounters::ofRun() const
+{
+    fates f{0, -nReleased_};
+    forAll(patches_, patchi)
+    {
+        if (patches_.set(patchi))
+        {
+            const patchCounts& p = patches_[patchi];
+            f.escaped += p.ofRun[escapedParcels] + p.sinceStored[escapedParcels];
+            f.stuck +=
+                p.ofRun[capturedParcels] + p.sinceStored[capturedParcels];
+        }
+    }
+    return f;
 }
 
 
@@ -190,6 +211,10 @@ void Foam::wallCounters::report
         if (store)
         {
             stored.set(entry, exactText(total));
+            forAll(p.ofRun, i)
+            {
+                p.ofRun[i] += p.sinceStored[i];
+            }
             p.sinceStored = Zero;
         }
     }

@@ -9,7 +9,7 @@ import re
 import numpy as np
 
 from caseTools import (copy_case, decompose, edit, must, read_field,
-                       times_of, verdict)
+                       summary_of, times_of, verdict)
 from dsmcTools import (ARGON, K, NITROGEN, collisions, energies, momenta,
                        read_molecules, read_wall, reported, solve, write_gas)
 
@@ -258,6 +258,10 @@ write_gas("effusion", side, (1, 1, 1), (0.4, 0.1, 0.1), weight=1e12,
 log = solve("effusion")
 n0, n = (int(re.search(p, log).group(1))
          for p in (r"Molecules: (\d+)", r"= (\d+) now"))
+told = summary_of(log)[1]["molecules"]
+verdict("effusion_summary", told == {
+    "start": n0, "injected": 0, "flying": n, "escaped": n0 - n, "stuck": 0,
+    "lost": 0}, f"{told}")
 # Before a depletion wave can matter: flux n c/4 from a gas at rest
 rate = np.sqrt(8*K*300/np.pi/ARGON["mass"])/4*0.01/4e-3*1.6e-5
 verdict("effusion_flux", abs((n0 - n)/(n0*rate) - 1)

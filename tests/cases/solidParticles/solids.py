@@ -9,8 +9,8 @@ import shutil
 
 import numpy as np
 
-from caseTools import (copy_case, decompose, edit, must, read_field, times_of,
-                       verdict)
+from caseTools import (copy_case, decompose, edit, must, read_field,
+                       summary_of, times_of, verdict)
 from dsmcTools import NITROGEN, read_molecules, read_wall, solve, write_gas
 from solidTools import (NUMBER, changes, fill, read_solids, tally,
                         write_solids)
@@ -89,6 +89,15 @@ verdict("beam_fields", abs(rho.mean()/2e-4 - 1) < 0.01
         f"concentration {rho.mean():.5g} of 2e-4 kg/m3, numbers of groups"
         f" {n[0].mean()/n[1].mean():.4g} to 1 of 8")
 mass = 2700*np.pi/6*now["d"]**3*now["nParticle"]
+parts, told, _ = summary_of(log)
+told = told["solids"]
+verdict("beam_summary", told == {
+    "start": 0, "injected": entered[0], "flying": len(now["d"]),
+    "escaped": 0, "stuck": stuck[0], "lost": 0}
+        and abs(sum(p[0] for name, p in parts.items() if name != "in all")
+                - parts["in all"][0]) < 0.006
+        and {"gas, moving", "solids, moving", "writing", "rest"} <= set(parts),
+        f"{told}; {parts}")
 verdict("beam_massKept", abs((stuck[2] + mass.sum())/entered[2] - 1) < 1e-9
         and stuck[0] > 100, f"{stuck[0]:.0f} deposited")
 
