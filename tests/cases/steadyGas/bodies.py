@@ -5,7 +5,7 @@ the shock."""
 import re
 
 import numpy as np
-from bluntBody import CP, P, SOUND, T, pitot, prepare
+from bluntBody import CP, P, RADIUS, SOUND, T, pitot, prepare
 from caseTools import GAMMA, decompose, last_fields, must, run, solve, verdict
 
 
@@ -110,11 +110,24 @@ if report("ranks", solve("ranks", 2)):
     verdict("ranks", 0 < apart < 1e-6, f"pressures differ by {apart:.1e}")
 
 # What is not steady is said to be so, and where
-prepare("unsteady", "half", (40, 30), 4, 6, {"maxIterations": 20})
+prepare("unsteady", "half", (40, 30), 4, 6,
+        {"maxIterations": 20, "reportEvery": 5})
 status, text = run("unsteady", "rhoCentralParcelFoam")
 said = re.search(r"not steady after 20 iterations: in (\d+) cells the "
                  r"imbalance is above 1e-06, most in the equation of (\w+) of "
                  r"cell (\d+) at \(", text)
+# On the way there it says how far and where
+progress = re.findall(
+    r"Gas: iteration (\d+), .*, Courant number \S+, imbalance of mass (\S+),"
+    r" momentum (\S+), energy (\S+), most of (\w+) in the cell at \((\S+) (\S+)",
+    text)
+wrong = [line for line in progress
+         if max(map(float, line[1:4])) != float(
+             line[1 + ("mass", "momentum", "energy").index(line[4])])
+         or not RADIUS < np.hypot(*map(float, line[5:7])) < 4*RADIUS]
+verdict("progress_is_said", len(progress) > 1 and not wrong
+        and text.count("Gas: iteration") == len(progress),
+        f"{len(progress)} lines; wrong: {wrong}")
 verdict("unsteady_is_said", status == 0 and said is not None
         and "Gas: steady" not in text and int(said[1]) > 100,
         f"{said[1]} cells, {said[2]}, cell {said[3]}" if said else "not said")
