@@ -1,10 +1,12 @@
 # parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Links of the documents lead to files and headings that are there, each model
-page is in the index and has its parts, and each annotated dictionary is named
-by a page. The folder of the project is the argument."""
+page is in the index and has its parts, each annotated dictionary is named by a
+page, and doxygen can read the headers. The folder of the project is the
+argument."""
 
 import os
 import re
+import subprocess
 import sys
 
 from caseTools import verdict
@@ -62,10 +64,40 @@ def broken(root):
     return bad, count
 
 
+def tables(root):
+    """Lines of headers, as doxygen gets them, that are rows of a table without
+    a title or of another length than its title, or a command that doxygen does
+    not know; and how many tables there are."""
+    bad, count = [], 0
+    for top in "src", "applications":
+        for folder, folders, names in os.walk(os.path.join(root, top)):
+            folders[:] = [f for f in folders if f not in ("lnInclude", "Make")]
+            for name in names:
+                if not name.endswith(".H"):
+                    continue
+                text = subprocess.run(
+                    [os.path.join(root, "doc/doxygenFilter"),
+                     os.path.join(folder, name)], stdout=subprocess.PIPE,
+                    text=True, check=True).stdout
+                text = text[:text.find("*/")]
+                bad += [f"{name}: {command}" for command in
+                        re.findall(r"\\+(?:end)?table\b", text)]
+                for table in re.findall(r"(?m)(?:^\|[ -].*\n)+", text):
+                    count += 1
+                    bars = {row.count("|") for row in table.splitlines()}
+                    rule = table.splitlines()[1:2]
+                    if len(bars) > 1 or not rule or set(rule[0]) != set("|-"):
+                        bad.append(f"{name}: {table[:60]}")
+    return bad, count
+
+
 def main():
     root = sys.argv[1]
     bad, count = broken(root)
     verdict("linksLead", not bad and count > 50, f"{count} links; {bad}")
+
+    bad, count = tables(root)
+    verdict("headersReadable", not bad and count > 50, f"{count} tables; {bad}")
 
     index = read(os.path.join(root, "doc/models.md"))
     folder = os.path.join(root, "doc/models")
