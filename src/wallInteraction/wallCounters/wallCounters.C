@@ -138,7 +138,8 @@ Foam::wallCounters::fates Foam::wallCounters::ofRun() const
         if (patches_.set(patchi))
         {
             const patchCounts& p = patches_[patchi];
-            f.escaped += p.ofRun[escapedParcels] + p.sinceStored[escapedParcels];
+            f.escaped +=
+                p.ofRun[escapedParcels] + p.sinceStored[escapedParcels];
             f.stuck +=
                 p.ofRun[capturedParcels] + p.sinceStored[capturedParcels];
         }

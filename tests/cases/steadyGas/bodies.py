@@ -119,8 +119,8 @@ said = re.search(r"not steady after 20 iterations: in (\d+) cells the "
 # On the way there it says how far and where
 progress = re.findall(
     r"Gas: iteration (\d+), .*, Courant number \S+, imbalance of mass (\S+),"
-    r" momentum (\S+), energy (\S+), most of (\w+) in the cell at \((\S+) (\S+)",
-    text)
+    r" momentum (\S+), energy (\S+), most of (\w+) in the cell at"
+    r" \((\S+) (\S+)", text)
 wrong = [line for line in progress
          if max(map(float, line[1:4])) != float(
              line[1 + ("mass", "momentum", "energy").index(line[4])])
