@@ -289,7 +289,7 @@ void Foam::solidParticles::readCorrection()
         return;
     }
     const dictionary& dict = properties_.subDict(name);
-    refuseOthers(dict, {"drag", "heat"});
+    refuseOthers(dict, {"drag", "heat", "densityScale"});
     const auto law = [&]
     (
         const word& entry,
@@ -303,6 +303,8 @@ void Foam::solidParticles::readCorrection()
     };
     const word drag(law("drag", impact::knudsenCorrection::dragLaws()));
     const word heat(law("heat", impact::knudsenCorrection::heatLaws()));
+    const scalar densityScale =
+        getNumber(dict, "densityScale", "(0, 1e12]", scalar(1));
     if (!(gas_.referenceTemperature() > 0))
     {
         FatalIOErrorInFunction(dict)
@@ -315,12 +317,20 @@ void Foam::solidParticles::readCorrection()
         properties_,
         [&]
         {
-            exchange_->correct(gas_.referenceTemperature(), drag, heat);
+            exchange_->correct
+            (
+                gas_.referenceTemperature(), drag, heat, densityScale
+            );
             return true;
         }
     );
     Info<< "    exchange corrected for the Knudsen number by " << drag
-        << " and " << heat << endl;
+        << " and " << heat;
+    if (densityScale != 1)
+    {
+        Info<< ", in a gas " << densityScale << " times as dense";
+    }
+    Info<< endl;
 }
 
 

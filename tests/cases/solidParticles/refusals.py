@@ -105,6 +105,10 @@ EDITS = [   # name, change, texts that the message must hold
         "randomSeed 7;", "randomSeed 7; knudsenCorrection { drag singhDrag;"
         " heat ranzMarshall; }"),
      ["heat ranzMarshall", "kavanau"]),
+    ("correctionScale", replace(
+        "randomSeed 7;", "randomSeed 7; knudsenCorrection { drag singhDrag;"
+        " heat kavanau; densityScale 0; }"),
+     ["densityScale 0", "(0, 1e12]"]),
     ("correctionAccommodation", replace(
         "accommodation 1.0;", "accommodation 0.9; knudsenCorrection { drag"
         " singhDrag; heat kavanau; }"),

@@ -491,9 +491,12 @@ TEST(solidExchange, followsDragAndHeatLawsAtAllKnudsenNumbers)
             // Kn = sqrt(pi gamma/2) M/Re
             const double K = Kn/std::sqrt(0.5*M_PI*gamma);
             const double rho = mu/(K*d*a);
-            double rate[2], heat[2];
-            for (const bool corrected : {false, true})
+            // As it is, corrected, and corrected in a gas that is simulated a
+            // hundred times thinner
+            double rate[3], heat[3];
+            for (const int corrected : {0, 1, 2})
             {
+                const double scale = corrected == 2 ? 100 : 1;
                 solidExchange x
                 (
                     nitrogen, {2700, 900, 1}, {d}, mode::none,
@@ -501,7 +504,7 @@ TEST(solidExchange, followsDragAndHeatLawsAtAllKnudsenNumbers)
                 );
                 if (corrected)
                 {
-                    x.correct(Tref, drag, "kavanau");
+                    x.correct(Tref, drag, "kavanau", scale);
                 }
                 double up = 0, vp = 0, wp = 0, Ts = Tp, number = 1;
                 const std::int32_t group = 0;
@@ -510,11 +513,11 @@ TEST(solidExchange, followsDragAndHeatLawsAtAllKnudsenNumbers)
                 x.exchange
                 (
                     gas, {1, &up, &vp, &wp, &Ts, &number, &group}, weight,
-                    weight*n*m/rho, dt, ledger, 0, 0, counts
+                    scale*weight*n*m/rho, dt, ledger, 0, 0, counts
                 );
                 const double mass = x.sizeOf(0).mass;
-                rate[corrected] = mass*up/dt;
-                heat[corrected] = mass*900*(Ts - Tp)/dt;
+                rate[corrected] = scale*mass*up/dt;
+                heat[corrected] = scale*mass*900*(Ts - Tp)/dt;
             }
             const auto q = (*Nu)(M/K, K);
             const double wanted =
@@ -523,6 +526,8 @@ TEST(solidExchange, followsDragAndHeatLawsAtAllKnudsenNumbers)
                *(gamma/(gamma - 1)*k/m*mu/Pr)*(q.TawOverT*T - Tp);
             EXPECT_NEAR(rate[1]/wanted, 1, 0.01) << drag << ' ' << Kn;
             EXPECT_NEAR(heat[1]/wantedHeat, 1, 0.01) << Kn;
+            EXPECT_NEAR(rate[2]/rate[1], 1, 1e-3) << drag << ' ' << Kn;
+            EXPECT_NEAR(heat[2]/heat[1], 1, 1e-3) << drag << ' ' << Kn;
             last = rate[1]/rate[0];
             first = first > 0 ? first : last;
         }
@@ -591,6 +596,11 @@ TEST(solidExchange, keepsBalancesWhenCorrected)
     EXPECT_THROW
     (
         make(mode::perCell).correct(0, "lothDrag", "kavanau"),
+        std::invalid_argument
+    );
+    EXPECT_THROW
+    (
+        make(mode::perCell).correct(273, "lothDrag", "kavanau", 0),
         std::invalid_argument
     );
 }

@@ -60,15 +60,18 @@ impact::knudsenCorrection::knudsenCorrection
     const std::vector<cellCollisions::species>& gas,
     double referenceTemperature,
     const std::string& drag,
-    const std::string& heat
+    const std::string& heat,
+    double densityScale
 )
 :
     species_(gas),
     referenceTemperature_(referenceTemperature),
+    densityScale_(densityScale),
     heatName_(heat),
     count_(gas.size())
 {
     checkRange("Tref", referenceTemperature, "(0, 1e8) K");
+    checkRange("densityScale", densityScale, "(0, 1e12]");
     checkName("drag", drag, dragLaws());
     checkName("heat", heat, heatLaws());
     drag_ = dragLaw::New(drag, dragLaw::coefficients());
@@ -148,7 +151,7 @@ void impact::knudsenCorrection::gather
         return;
     }
     const double zeta = internal/gas.n;
-    gas_.density = density*mass;
+    gas_.density = densityScale_*density*mass;
     gas_.velocity = mean;
     gas_.temperature = T;
     gas_.molecule = mass/gas.n;

@@ -48,7 +48,8 @@ void impact::solidExchange::correct
 (
     double referenceTemperature,
     const std::string& drag,
-    const std::string& heat
+    const std::string& heat,
+    double densityScale
 )
 {
     if (mode_ == mode::perCollision)
@@ -70,7 +71,7 @@ void impact::solidExchange::correct
     }
     correction_ = std::make_unique<knudsenCorrection>
     (
-        species_, referenceTemperature, drag, heat
+        species_, referenceTemperature, drag, heat, densityScale
     );
 }
 
