@@ -222,11 +222,12 @@ Foam::solidFields::solidFields
     mass_(mass),
     start_(getNumber(dict, "start", validRange::time, scalar(0))),
     every_(getNumber<label>(dict, "every", validRange::count, 1)),
+    trials_(getNumber<label>(dict, "trials", "[1, 1000]", 1)),
     asked_{},
     nSteps_(0),
     duration_(0)
 {
-    refuseOthers(dict, {"start", "every", "fields"});
+    refuseOthers(dict, {"start", "every", "trials", "fields"});
     const wordList names
     {
         "numberDensity", "concentration", "U", "T", "exchange", "surface"

@@ -910,6 +910,15 @@ Foam::solidParticles::solidParticles
         (
             new solidFields(properties_.subDict("sampling"), mesh, mass)
         );
+        checked
+        (
+            properties_.subDict("sampling"),
+            [&]
+            {
+                exchange_->setTrials(fields_->trials());
+                return true;
+            }
+        );
     }
     if (properties_.found("interface"))
     {

@@ -119,6 +119,12 @@ EDITS = [   # name, change, texts that the message must hold
      ["Unknown entry simulator"]),
     ("field", replace("fields (U)", "fields (V)"),
      ["Unknown fields V", "numberDensity concentration U T"]),
+    ("trials", replace("every 1", "every 1; trials 0"),
+     ["trials 0", "[1, 1000]"]),
+    ("trialsPerCollision", lambda case: (
+        edit(case, PROPERTIES, "every 1", "every 1; trials 2"),
+        edit(case, PROPERTIES, "exchange perCell", "exchange none")),
+     ["trials 2", "perCell"]),
     ("sampling", replace("every 1", "every 0"),
      ["Entry every 0", "valid range"]),
     ("report", replace("reportEvery 1", "reportEvery 0"),

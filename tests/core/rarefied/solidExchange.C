@@ -194,6 +194,47 @@ TEST(solidExchange, theGasLosesOnAverageWhatSpheresTake)
 }
 
 
+TEST(solidExchange, trialsLeaveTheMeanAndTheNumberOfCollisions)
+{
+    const double weight = 1e8, V = 1e-9, dt = 4e-8;
+    double scatter[2], number[2];
+    for (const int trials : {1, 100})
+    {
+        auto exchange = make(mode::perCell, 1);
+        exchange.setTrials(trials);
+        double solids = 0, sampled = 0, square = 0;
+        solidExchange::counts counts;
+        for (int i = 0; i < 2000; ++i)
+        {
+            cell c(100, 1500, 1000, 20, 2200, 1e3, i);
+            balance ledger;
+            const auto g = exchange.exchange
+            (
+                c.gas(), c.solids(), weight, V, dt, ledger, i, 0, counts
+            );
+            if (trials == 1)
+            {
+                EXPECT_EQ(g.sampled.energy, g.gas.energy);
+                EXPECT_EQ(g.sampled.momentum.x, g.gas.momentum.x);
+            }
+            solids += g.solids.energy;
+            sampled += g.sampled.energy;
+            const double both = g.solids.energy + g.sampled.energy;
+            square += both*both;
+        }
+        EXPECT_NEAR(solids + sampled, 0, 4*std::sqrt(square)) << trials;
+        scatter[trials > 1] = std::sqrt(square)/std::fabs(solids);
+        number[trials > 1] = double(counts.collisions);
+    }
+    // A hundred times the collisions, a tenth of the scatter
+    EXPECT_NEAR(scatter[1]/scatter[0], 0.1, 0.03);
+    EXPECT_GT(number[0], 1000);
+    EXPECT_NEAR(number[1]/number[0], 1, 4*std::sqrt(2/number[0]));
+    EXPECT_THROW(make(mode::perCell).setTrials(0), std::invalid_argument);
+    EXPECT_THROW(make(mode::perCollision).setTrials(2), std::invalid_argument);
+}
+
+
 TEST(solidExchange, perCollisionTakesTheSameOnAverage)
 {
     const double weight = 1e8, V = 1e-9, dt = 4e-8;
@@ -492,7 +533,7 @@ TEST(solidExchange, followsDragAndHeatLawsAtAllKnudsenNumbers)
             const double K = Kn/std::sqrt(0.5*M_PI*gamma);
             const double rho = mu/(K*d*a);
             // As it is, corrected, and corrected in a gas that is simulated a
-            // hundred times thinner
+            // hundred times thinner, for as many times as long
             double rate[3], heat[3];
             for (const int corrected : {0, 1, 2})
             {
@@ -513,11 +554,11 @@ TEST(solidExchange, followsDragAndHeatLawsAtAllKnudsenNumbers)
                 x.exchange
                 (
                     gas, {1, &up, &vp, &wp, &Ts, &number, &group}, weight,
-                    scale*weight*n*m/rho, dt, ledger, 0, 0, counts
+                    scale*weight*n*m/rho, scale*dt, ledger, 0, 0, counts
                 );
                 const double mass = x.sizeOf(0).mass;
-                rate[corrected] = scale*mass*up/dt;
-                heat[corrected] = scale*mass*900*(Ts - Tp)/dt;
+                rate[corrected] = mass*up/dt;
+                heat[corrected] = mass*900*(Ts - Tp)/dt;
             }
             const auto q = (*Nu)(M/K, K);
             const double wanted =

@@ -76,6 +76,21 @@ void impact::solidExchange::correct
 }
 
 
+void impact::solidExchange::setTrials(int trials)
+{
+    checkRange("trials", trials, "[1, 1000]");
+    if (trials > 1 && mode_ != mode::perCell)
+    {
+        throwOutOfRange
+        (
+            "trials", trials, "[1, 1] unless exchange is perCell, in which"
+            " alone spheres do not feel single collisions"
+        );
+    }
+    trials_ = trials;
+}
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 impact::solidExchange::bound impact::solidExchange::findBound
@@ -116,7 +131,7 @@ void impact::solidExchange::scatter
 {
     const double cMax = mag(s.velocity - b.mean) + b.thermal;
     const double expected =
-        number*gas.n*M_PI*s.radius*s.radius*cMax*perVolume;
+        trials_*number*gas.n*M_PI*s.radius*s.radius*cMax*perVolume;
     const std::int64_t nCandidates = std::int64_t(expected + rnd.uniform());
     const double share = number*s.mass;
     total.candidates += nCandidates;
@@ -188,6 +203,21 @@ void impact::solidExchange::scatter
             s.velocity = s.velocity - (1/share)*impulse;
         }
 
+        const balance change
+        {
+            (weight*m)*(after - before),
+            weight
+           *(
+                0.5*m*(dot(after, after) - dot(before, before))
+              + internal - internalBefore
+            )
+        };
+        g.sampled += (1./trials_)*change;
+        if (trials_ > 1 && !(trials_*rnd.uniform() < 1))
+        {
+            continue;
+        }
+
         ++total.collisions;
         gas.u[i] = after.x;
         gas.v[i] = after.y;
@@ -196,12 +226,7 @@ void impact::solidExchange::scatter
         {
             gas.internalEnergy[i] = internal;
         }
-        g.gas.momentum = g.gas.momentum + (weight*m)*(after - before);
-        g.gas.energy += weight
-           *(
-                0.5*m*(dot(after, after) - dot(before, before))
-              + internal - internalBefore
-            );
+        g.gas += change;
         b.thermal = std::fmax(b.thermal, mag(after - b.mean));
     }
 }
