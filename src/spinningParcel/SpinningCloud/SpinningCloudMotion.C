@@ -401,11 +401,27 @@ void Foam::SpinningCloud<CloudType>::motion
         collisions_->motion(td);
         this->updateCellOccupancy();
     }
-    else if (coreForce_.valid() && !watched())
+    else if
+    (
+        (coreForce_.valid() || heatedCoreForce_.valid()) && !watched()
+    )
     {
         // Those that have arrived step aside for those that go on one by one
         IDLList<parcelType> rest, arrived;
-        BlockMotion<spinningCloudType>(*this, td, coreForce_()).move(rest);
+        if (coreForce_.valid())
+        {
+            BlockMotion<spinningCloudType, spinningCoreForce>
+            (
+                *this, td, coreForce_()
+            ).move(rest);
+        }
+        else
+        {
+            BlockMotion<spinningCloudType, heatedForce<spinningCoreForce>>
+            (
+                *this, td, heatedCoreForce_()
+            ).move(rest);
+        }
         arrived.transfer(*this);
         this->IDLList<parcelType>::transfer(rest);
         CloudType::motion(cloud, td);

@@ -8,8 +8,8 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-template<class CloudType>
-void Foam::BlockMotion<CloudType>::take(const int i, parcelType& p)
+template<class CloudType, class Force>
+void Foam::BlockMotion<CloudType, Force>::take(const int i, parcelType& p)
 {
     flyer& f = flyers_[i];
     f.parcel = &p;
@@ -27,11 +27,15 @@ void Foam::BlockMotion<CloudType>::take(const int i, parcelType& p)
     block_.hTry[i] = GREAT;
     impact::motionBlock::set(block_.v, i, toCore(p.U()));
     impact::motionBlock::set(block_.omega, i, toCore(p.omega()));
+    if constexpr (heated)
+    {
+        block_.enthalpy[i] = force_.heat().material().h(p.temperature());
+    }
 }
 
 
-template<class CloudType>
-void Foam::BlockMotion<CloudType>::release(const int i)
+template<class CloudType, class Force>
+void Foam::BlockMotion<CloudType, Force>::release(const int i)
 {
     const flyer& f = flyers_[i];
     parcelType& p = *f.parcel;
@@ -58,21 +62,17 @@ void Foam::BlockMotion<CloudType>::release(const int i)
 }
 
 
-template<class CloudType>
-impact::particleMotion::outcome
-Foam::BlockMotion<CloudType>::alone(const int i)
+template<class CloudType, class Force>
+typename Foam::BlockMotion<CloudType, Force>::outcome
+Foam::BlockMotion<CloudType, Force>::alone(const int i)
 {
     const flyer& f = flyers_[i];
     force_.parcel(*f.parcel, td_);
     force_.place(*block_.gas[i], impact::motionBlock::of(block_.x, i));
-    State state;
-    state.x = impact::vector3{0, 0, 0};
-    state.v = impact::motionBlock::of(block_.v, i);
-    state.omega = impact::motionBlock::of(block_.omega, i);
     return motion_.step
     (
         force_,
-        state,
+        begin(i),
         impact::mag(force_.here().u),
         impact::mag(force_.here().spin),
         block_.hMax[i],
@@ -82,16 +82,14 @@ Foam::BlockMotion<CloudType>::alone(const int i)
 }
 
 
-template<class CloudType>
-void Foam::BlockMotion<CloudType>::follow(const int i)
+template<class CloudType, class Force>
+void Foam::BlockMotion<CloudType, Force>::follow(const int i)
 {
     flyer& f = flyers_[i];
     const bool accepted = block_.accepted[i] > 0;
-    const impact::particleMotion::outcome o =
-        accepted ? block_.outcome(i) : alone(i);
-    State state;
-    state.v = impact::motionBlock::of(block_.v, i);
-    state.omega = impact::motionBlock::of(block_.omega, i);
+    const outcome o =
+        accepted ? block_.template outcome<State>(i) : alone(i);
+    const State state(begin(i));
     impact::vector3 x(impact::motionBlock::of(block_.x, i));
     State end = o.state;
     label place = -1;
@@ -148,20 +146,33 @@ void Foam::BlockMotion<CloudType>::follow(const int i)
     meshTools::constrainDirection(cells_.mesh(), cells_.mesh().solutionD(), U);
     impact::motionBlock::set(block_.v, i, toCore(U));
     impact::motionBlock::set(block_.omega, i, end.omega);
-    if (coupled_)
+    const scalar T0 = p.temperature();
+    if constexpr (heated)
     {
-        const scalar mass = p.mass();
-        const scalar rho = block_.here.rho[i];
-        const vector U0 = fromCore(state.v);
-        const vector omega0 = fromCore(state.omega);
+        block_.enthalpy[i] = end.h;
+        p.temperature() = force_.heat().material().T(end.h);
+    }
+    if (heated || coupled_)
+    {
         p.U() = U;
         p.omega() = fromCore(end.omega);
         p.cell() = cells_.meshCell(cell_[i]);
-        p.giveToGas
-        (
-            cloud_, mass, U0, omega0, t*force_.external(mass, p.rho(), rho),
-            0, true
-        );
+        scalar heat = 0;
+        if constexpr (heated)
+        {
+            force_.parcel(p, td_);
+            heat = p.takeHeat(cloud_, force_.heat(), T0, o.kHeat, t);
+        }
+        if (coupled_)
+        {
+            const scalar mass = p.mass();
+            p.giveToGas
+            (
+                cloud_, mass, fromCore(state.v), fromCore(state.omega),
+                t*force_.external(mass, p.rho(), block_.here.rho[i]), heat,
+                true
+            );
+        }
     }
     p.age() += t;
     f.begin =
@@ -189,8 +200,8 @@ void Foam::BlockMotion<CloudType>::follow(const int i)
 }
 
 
-template<class CloudType>
-void Foam::BlockMotion<CloudType>::advance(const int n)
+template<class CloudType, class Force>
+void Foam::BlockMotion<CloudType, Force>::advance(const int n)
 {
     impact::motionBlock::row left, way[3], exit, points[9];
     block_.begin(n);
@@ -246,12 +257,12 @@ void Foam::BlockMotion<CloudType>::advance(const int n)
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-template<class CloudType>
-Foam::BlockMotion<CloudType>::BlockMotion
+template<class CloudType, class Force>
+Foam::BlockMotion<CloudType, Force>::BlockMotion
 (
     CloudType& cloud,
     typename parcelType::trackingData& td,
-    spinningCoreForce& force
+    Force& force
 )
 :
     cloud_(cloud),
@@ -265,6 +276,7 @@ Foam::BlockMotion<CloudType>::BlockMotion
     block_
     (
         force.forces(),
+        heat(),
         motion_.tolerance(),
         force.directions().velocity(),
         force.directions().rotation()
@@ -274,8 +286,8 @@ Foam::BlockMotion<CloudType>::BlockMotion
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-template<class CloudType>
-void Foam::BlockMotion<CloudType>::move(IDLList<parcelType>& rest)
+template<class CloudType, class Force>
+void Foam::BlockMotion<CloudType, Force>::move(IDLList<parcelType>& rest)
 {
     auto next = cloud_.begin();
     const auto last = cloud_.end();

@@ -6,6 +6,7 @@ Description
     errors and evaluations, and the same steps refused.
 \*---------------------------------------------------------------------------*/
 
+#include "heatLaw.H"
 #include "hendersonDrag.H"
 #include "motionBlock.H"
 
@@ -54,14 +55,31 @@ linearGas randomGas(std::mt19937& random)
 struct oneForce
 {
     sphereForces forces;
+    sphereHeat heat;
     const linearGas& gas;
     vector3 x, solved, rotation;
+
+    void constrain(motionRate& r) const
+    {
+        r.a = multiply(solved, r.a);
+        r.turn = multiply(rotation, r.turn);
+    }
 
     motionRate operator()(const motionState& s) const
     {
         motionRate r = forces(gas(x + s.x), s.v, s.omega);
-        r.a = multiply(solved, r.a);
-        r.turn = multiply(rotation, r.turn);
+        constrain(r);
+        return r;
+    }
+
+    thermalRate operator()(const thermalState& s) const
+    {
+        const gasState there = gas(x + s.x);
+        const double T = heat.material().T(s.h);
+        thermalRate r;
+        static_cast<motionRate&>(r) = forces(there, s.v, s.omega, T);
+        constrain(r);
+        heat(there, s.v, T, s.h, r);
         return r;
     }
 };
@@ -76,9 +94,11 @@ void expectNear(const vector3& a, const vector3& b, double scale)
 //- Compare n spheres a thousand times over
 //  \param nWith  becomes the number of steps with 2, 4, 6 evaluations, and of
 //      those refused
+template<class State>
 void compare
 (
     const sphereForces& forces,
+    const sphereHeat& heat,
     double tolerance,
     const vector3& solved,
     const vector3& rotation,
@@ -91,7 +111,8 @@ void compare
     const particleMotion motion(tolerance);
     const auto block = std::make_unique<motionBlock>
     (
-        forces, tolerance, solved, rotation
+        forces, particleMotion::thermal<State> ? &heat : nullptr, tolerance,
+        solved, rotation
     );
     linearGas fields[motionBlock::size];
     double d[motionBlock::size];
@@ -117,6 +138,11 @@ void compare
             (
                 block->omega, i, vector3{0, 0, 1e6*uniform(random)}
             );
+            if (particleMotion::thermal<State>)
+            {
+                block->enthalpy[i] =
+                    heat.material().h(600 + 300*uniform(random));
+            }
             block->hTry[i] = i % 3 ? 1 : 3e-8;
         }
         block->begin(n);
@@ -130,14 +156,19 @@ void compare
         {
             oneForce force
             {
-                forces, fields[i], motionBlock::of(block->x, i), solved,
+                forces, heat, fields[i], motionBlock::of(block->x, i), solved,
                 rotation
             };
             force.forces.sphere(d[i], 2500);
-            motionState s;
+            force.heat.sphere(d[i], 2500);
+            State s;
             s.x = vector3{0, 0, 0};
             s.v = motionBlock::of(block->v, i);
             s.omega = motionBlock::of(block->omega, i);
+            if constexpr (particleMotion::thermal<State>)
+            {
+                s.h = block->enthalpy[i];
+            }
             const gasState here = fields[i](force.x);
             const double h = std::min(block->hMax[i], block->hTry[i]);
             const auto o = motion.step
@@ -157,7 +188,7 @@ void compare
                 continue;
             }
             ++nWith[o.nForce/2 - 1];
-            const auto b = block->outcome(i);
+            const auto b = block->template outcome<State>(i);
             EXPECT_EQ(b.nForce, o.nForce);
             EXPECT_EQ(b.h, o.h);
             expectNear(b.state.x, o.state.x, o.h*o.vScale);
@@ -170,17 +201,44 @@ void compare
             expectNear(b.a, o.a, mag(o.a));
             expectNear(b.alpha, o.alpha, mag(o.alpha));
 
+            if constexpr (particleMotion::thermal<State>)
+            {
+                EXPECT_NEAR(b.state.h, o.state.h, 1e-13*o.hScale);
+                EXPECT_NEAR(b.hScale, o.hScale, 1e-13*o.hScale);
+                EXPECT_NEAR(b.kHeat, o.kHeat, 1e-12*o.kHeat);
+                EXPECT_NEAR(b.hDot, o.hDot, 1e-12*o.kHeat*o.hScale);
+            }
+
             // The error is a difference of nearly equal numbers
             EXPECT_NEAR(b.hNext, o.hNext, 1e-6*o.hNext);
         }
     }
 }
 
+//- Heat of spheres of alumina that may melt and that radiate
+struct someHeat
+{
+    std::unique_ptr<heatLaw> law;
+    specificHeat material;
+
+    someHeat()
+    :
+        law(heatLaw::New("kavanau", heatLaw::coefficients())),
+        material({800, 0.3}, {700, 710, 1e5})
+    {}
+
+    sphereHeat operator()() const
+    {
+        return sphereHeat({law.get(), &material, 1400, gammaR, 0.8, 300});
+    }
+};
+
 } // End anonymous namespace
 
 
 TEST(motionBlock, takesTheStepsOfOneSphere)
 {
+    const someHeat heat;
     sphereForces::counts counts;
     const hendersonDrag drag(1.4, 1);
     const vector3 all{1, 1, 1};
@@ -195,7 +253,10 @@ TEST(motionBlock, takesTheStepsOfOneSphere)
             int nWith[4] = {0, 0, 0, 0};
             for (const int n : {1, 7, motionBlock::size})
             {
-                compare(forces, tolerance, all, all, n, nWith);
+                compare<motionState>
+                (
+                    forces, heat(), tolerance, all, all, n, nWith
+                );
             }
 
             // Each kind was among them
@@ -208,18 +269,44 @@ TEST(motionBlock, takesTheStepsOfOneSphere)
 }
 
 
+TEST(motionBlock, heatsAsOneSphere)
+{
+    const someHeat heat;
+    const hendersonDrag drag(1.4, 1);
+    const vector3 all{1, 1, 1};
+    sphereForces::counts counts;
+    const sphereForces forces
+    (
+        &drag, gammaR, true, true, vector3{0, 9.81, 0}, counts
+    );
+    for (const double tolerance : {1e-3, 1e-5, 1e-7})
+    {
+        int nWith[4] = {0, 0, 0, 0};
+        compare<thermalState>
+        (
+            forces, heat(), tolerance, all, all, motionBlock::size, nWith
+        );
+        for (const int count : nWith)
+        {
+            EXPECT_GE(count, 100) << tolerance;
+        }
+    }
+}
+
+
 TEST(motionBlock, leavesOutWhatIsNotThere)
 {
     // No drag, no spin, a plane
+    const someHeat heat;
     sphereForces::counts counts;
     const sphereForces forces
     (
         nullptr, 1, false, false, vector3{0, 9.81, 5}, counts
     );
     int nWith[4] = {0, 0, 0, 0};
-    compare
+    compare<motionState>
     (
-        forces, 1e-5, vector3{1, 1, 0}, vector3{0, 0, 1}, motionBlock::size,
+        forces, heat(), 1e-5, vector3{1, 1, 0}, vector3{0, 0, 1}, motionBlock::size,
         nWith
     );
     EXPECT_GE(nWith[0], 1000);
@@ -238,7 +325,7 @@ TEST(motionBlock, countsEvaluationsOutsideTheFits)
     );
     const auto block = std::make_unique<motionBlock>
     (
-        forces, 0.1, vector3{1, 1, 1}, vector3{1, 1, 1}
+        forces, nullptr, 0.1, vector3{1, 1, 1}, vector3{1, 1, 1}
     );
     std::mt19937 random(1);
     const linearGas gas = randomGas(random);

@@ -5,6 +5,7 @@
 #include "motionBlock.H"
 #include "motionKernels.H"
 
+#include <algorithm>
 #include <cmath>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -17,17 +18,28 @@ void impact::motionBlock::rates
     const gasRows& there,
     const row (&u)[3],
     const row (&spin)[3],
+    const row& enthalpies,
     rateRows& r
 ) const
 {
     const sphereForces& p = forces_;
     motionKernels::numbers q;
-    row CdRe, magnus, clRe;
-    motionKernels::reynolds(n, there, u, spin, s.d, p.gammaR_, q);
-
+    row CdRe, magnus, clRe, T, TpOverT;
+    motionKernels::reynolds
+    (
+        n, there, u, spin, s.d, heat_ ? heat_->gammaR() : p.gammaR_, q
+    );
+    if (heat_)
+    {
+        for (int i = 0; i < n; ++i)
+        {
+            T[i] = heat_->material().T(enthalpies[i]);
+            TpOverT[i] = T[i]/there.T[i];
+        }
+    }
     if (p.drag_)
     {
-        p.drag_->CdRe(n, q.Re, q.K, nullptr, CdRe);
+        p.drag_->CdRe(n, q.Re, q.K, heat_ ? TpOverT : nullptr, CdRe);
     }
     double beyondRe = 0, beyondSpin = 0;
     for (int i = 0; i < n; ++i)
@@ -57,6 +69,19 @@ void impact::motionBlock::rates
         n, there, u, spin, s.inverseRhoP, s.drag0, s.torque0, CdRe, magnus,
         clRe, p.g_, solved_, rotation_, r
     );
+    if (heat_)
+    {
+        heat_->rates
+        (
+            n, q.Re, q.K, there.mu, there.T, s.convection0, s.radiation0, T,
+            enthalpies, r.hDot, r.kHeat
+        );
+    }
+    else
+    {
+        std::fill_n(r.hDot, n, 0.);
+        std::fill_n(r.kHeat, n, 0.);
+    }
 }
 
 
@@ -68,8 +93,9 @@ void impact::motionBlock::longer::keep(int j, int i)
     }
     index[i] = index[j];
     gas[i] = gas[j];
-    for (row* r : {&d, &inverseRhoP, &drag0, &torque0, &h, &vScale,
-        &spinScale, &worst})
+    for (row* r : {&d, &inverseRhoP, &drag0, &torque0, &convection0,
+        &radiation0, &enthalpy, &h, &vScale, &spinScale, &hScale, &worst,
+        &state.h})
     {
         (*r)[i] = (*r)[j];
     }
@@ -82,6 +108,7 @@ void impact::motionBlock::longer::keep(int j, int i)
         }
         for (int stage = 0; stage < 4; ++stage)
         {
+            k[stage].hDot[i] = k[stage].hDot[j];
             kx[stage][c][i] = kx[stage][c][j];
             k[stage].a[c][i] = k[stage].a[c][j];
             k[stage].alpha[c][i] = k[stage].alpha[c][j];
@@ -99,7 +126,8 @@ void impact::motionBlock::stages(int from, int to)
     {
         motionKernels::sum
         (
-            l.n, l.v, l.omega, l.h, l.kx, l.k, cashKarp::stage[stage], stage,
+            l.n, l.v, l.omega, l.enthalpy, l.h, l.kx, l.k,
+            cashKarp::stage[stage], stage,
             l.other
         );
         for (int c = 0; c < 3; ++c)
@@ -111,7 +139,10 @@ void impact::motionBlock::stages(int from, int to)
             }
         }
         motionKernels::gas(l.n, l.gas, place, gasThere);
-        rates(l.n, l, gasThere, l.other.v, l.other.omega, l.k[stage]);
+        rates
+        (
+            l.n, l, gasThere, l.other.v, l.other.omega, l.other.h, l.k[stage]
+        );
     }
 }
 
@@ -128,6 +159,7 @@ void impact::motionBlock::accept(double limit, double nEvaluations, double root)
             set(last.x, to, of(l.state.x, i));
             set(last.v, to, of(l.state.v, i));
             set(last.omega, to, of(l.state.omega, i));
+            last.h[to] = l.state.h[i];
             worst[to] = l.worst[i];
             power[to] = root;
             nForces[to] = nEvaluations;
@@ -159,6 +191,13 @@ void impact::motionBlock::goOn(int n)
         l.inverseRhoP[to] = inverseRhoP[i];
         l.drag0[to] = drag0[i];
         l.torque0[to] = torque0[i];
+        l.convection0[to] = convection0[i];
+        l.radiation0[to] = radiation0[i];
+        l.enthalpy[to] = enthalpy[i];
+        l.hScale[to] = hScale[i];
+        l.k[0].hDot[to] = f.hDot[i];
+        l.k[1].hDot[to] = g.hDot[i];
+        l.other.h[to] = last.h[i];
         l.h[to] = h[i];
         l.vScale[to] = vScale[i];
         l.spinScale[to] = spinScale[i];
@@ -185,11 +224,13 @@ void impact::motionBlock::goOn(int n)
     stages(2, 4);
     motionKernels::sum
     (
-        l.n, l.v, l.omega, l.h, l.kx, l.k, cashKarp::third, 4, l.state
+        l.n, l.v, l.omega, l.enthalpy, l.h, l.kx, l.k, cashKarp::third, 4,
+        l.state
     );
     motionKernels::error
     (
-        l.n, l.state, second, l.vScale, l.spinScale, tolerance_, l.worst
+        l.n, l.state, second, l.vScale, l.spinScale, l.hScale, tolerance_,
+        l.worst
     );
     accept(std::sqrt(tolerance_)/tolerance_, 4, 1./3);
     if (l.n == 0)
@@ -201,15 +242,18 @@ void impact::motionBlock::goOn(int n)
     stages(4, 6);
     motionKernels::sum
     (
-        l.n, l.v, l.omega, l.h, l.kx, l.k, cashKarp::fifth, 6, l.state
+        l.n, l.v, l.omega, l.enthalpy, l.h, l.kx, l.k, cashKarp::fifth, 6,
+        l.state
     );
     motionKernels::sum
     (
-        l.n, l.v, l.omega, l.h, l.kx, l.k, cashKarp::fourth, 6, l.other
+        l.n, l.v, l.omega, l.enthalpy, l.h, l.kx, l.k, cashKarp::fourth, 6,
+        l.other
     );
     motionKernels::error
     (
-        l.n, l.state, l.other, l.vScale, l.spinScale, tolerance_, l.worst
+        l.n, l.state, l.other, l.vScale, l.spinScale, l.hScale, tolerance_,
+        l.worst
     );
     accept(0, 6, 1./5);
 }
@@ -220,12 +264,14 @@ void impact::motionBlock::goOn(int n)
 impact::motionBlock::motionBlock
 (
     const sphereForces& forces,
+    const sphereHeat* heat,
     double tolerance,
     const vector3& solved,
     const vector3& rotation
 )
 :
     forces_(forces),
+    heat_(heat),
     tolerance_(tolerance),
     solved_(solved),
     rotation_(rotation)
@@ -240,6 +286,9 @@ void impact::motionBlock::sphere(int i, double diameter, double rhoP)
     inverseRhoP[i] = 1/rhoP;
     drag0[i] = 0.75/(rhoP*diameter*diameter);
     torque0[i] = rotationalTorque::scale(diameter, rhoP, 1);
+    enthalpy[i] = 0;
+    convection0[i] = heat_ ? heat_->convection(diameter, rhoP) : 0;
+    radiation0[i] = heat_ ? heat_->radiation(diameter, rhoP) : 0;
 }
 
 
@@ -249,6 +298,9 @@ void impact::motionBlock::move(int j, int i)
     inverseRhoP[i] = inverseRhoP[j];
     drag0[i] = drag0[j];
     torque0[i] = torque0[j];
+    convection0[i] = convection0[j];
+    radiation0[i] = radiation0[j];
+    enthalpy[i] = enthalpy[j];
     hTry[i] = hTry[j];
     gas[i] = gas[j];
     set(x, i, of(x, j));
@@ -260,7 +312,7 @@ void impact::motionBlock::move(int j, int i)
 void impact::motionBlock::begin(int n)
 {
     motionKernels::gas(n, gas, x, here);
-    rates(n, *this, here, v, omega, f);
+    rates(n, *this, here, v, omega, enthalpy, f);
 }
 
 
@@ -269,41 +321,18 @@ void impact::motionBlock::end(int n)
     row place[3];
     motionKernels::stretch
     (
-        n, x, v, omega, f, hMax, hTry, h, middle, place
+        n, x, v, omega, enthalpy, f, hMax, hTry, h, middle, place
     );
     motionKernels::gas(n, gas, place, there);
-    rates(n, *this, there, middle.v, middle.omega, g);
+    rates(n, *this, there, middle.v, middle.omega, middle.h, g);
     motionKernels::end
     (
-        n, here, v, omega, f, middle, g, h, tolerance_, last, vScale,
-        spinScale, worst, power, accepted, more_
+        n, here, v, omega, enthalpy, f, middle, g, h, tolerance_, last,
+        vScale, spinScale, hScale, worst, power, accepted, more_
     );
     for (int i = 0; i < n; ++i)
     {
         nForces[i] = 2;
     }
     goOn(n);
-}
-
-
-impact::particleMotion::outcome impact::motionBlock::outcome(int i) const
-{
-    particleMotion::outcome o;
-    o.state.x = of(last.x, i);
-    o.state.v = of(last.v, i);
-    o.state.omega = of(last.omega, i);
-    o.a = of(f.a, i);
-    o.alpha = of(f.alpha, i);
-    o.k = f.k[i];
-    o.kSpin = f.kSpin[i];
-    o.vScale = vScale[i];
-    o.spinScale = spinScale[i];
-    o.h = h[i];
-    o.hNext =
-        h[i] < hMax[i]
-      ? h[i]*particleMotion::factor(worst[i], power[i])
-      : 4*h[i];
-    o.nForce = int(nForces[i]);
-    o.forced = false;
-    return o;
 }

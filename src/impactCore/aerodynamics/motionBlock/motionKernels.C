@@ -160,6 +160,7 @@ impactKernel void impact::motionKernels::stretch
     const row (&__restrict__ x)[3],
     const row (&__restrict__ v)[3],
     const row (&__restrict__ omega)[3],
+    const row& __restrict__ enthalpy,
     const rateRows& __restrict__ f,
     const row& __restrict__ hMax,
     const row& __restrict__ hTry,
@@ -171,6 +172,7 @@ impactKernel void impact::motionKernels::stretch
     for (int i = 0; i < n; ++i)
     {
         h[i] = hMax[i] < hTry[i] ? hMax[i] : hTry[i];
+        middle.h[i] = enthalpy[i] + h[i]*(1./5)*f.hDot[i];
     }
     for (int c = 0; c < 3; ++c)
     {
@@ -192,6 +194,7 @@ impactKernel void impact::motionKernels::end
     const gasRows& __restrict__ gas,
     const row (&__restrict__ v)[3],
     const row (&__restrict__ omega)[3],
+    const row& __restrict__ enthalpy,
     const rateRows& __restrict__ f,
     const stateRows& __restrict__ middle,
     const rateRows& __restrict__ g,
@@ -200,6 +203,7 @@ impactKernel void impact::motionKernels::end
     stateRows& __restrict__ last,
     row& __restrict__ vScale,
     row& __restrict__ spinScale,
+    row& __restrict__ hScale,
     row& __restrict__ worst,
     row& __restrict__ power,
     row& __restrict__ accepted,
@@ -246,18 +250,31 @@ impactKernel void impact::motionKernels::end
             last.omega[1][i] - (omega[1][i] + h[i]*f.alpha[1][i]),
             last.omega[2][i] - (omega[2][i] + h[i]*f.alpha[2][i])
         );
-        const double first =
-            larger(dv/vScale[i], dOmega/spinScale[i])/tolerance;
+        last.h[i] =
+            enthalpy[i] + h[i]*(-3./2)*f.hDot[i] + h[i]*(5./2)*g.hDot[i];
+        hScale[i] =
+            larger
+            (
+                enthalpy[i], gain(std::fabs(f.hDot[i]), f.kHeat[i], h[i])
+            ) + 1e-100;
+        const double dh =
+            std::fabs(last.h[i] - (enthalpy[i] + h[i]*f.hDot[i]));
+        const double first = larger
+        (
+            larger(dv/vScale[i], dOmega/spinScale[i]), dh/hScale[i]
+        )/tolerance;
 
         // Errors of orders 1 and 5: see particleMotion::step
         const double first2 = first*tolerance;
         const bool hopeless = first2*first2*first2 > tolerance;
         const double fastest = larger
         (
-            larger(f.k[i], f.kSpin[i]),
+            larger(larger(f.k[i], f.kSpin[i]), f.kHeat[i]),
             largest(f.turn[0][i], f.turn[1][i], f.turn[2][i])
         );
-        const double change = 5*larger
+        const double heatChange =
+            std::fabs(g.hDot[i] - f.hDot[i])/(std::fabs(f.hDot[i]) + 1e-100);
+        const double motionChange = larger
         (
             largest
             (
@@ -272,6 +289,7 @@ impactKernel void impact::motionKernels::end
                 g.alpha[2][i] - f.alpha[2][i]
             )/(sizeAlpha + 1e-100)
         );
+        const double change = 5*larger(motionChange, heatChange);
         const double share = 2*larger(change, h[i]*fastest);
         const double better = first*(share < 1 ? share : 1);
         const bool large = first > 1;
@@ -290,6 +308,7 @@ impactKernel void impact::motionKernels::sum
     const int n,
     const row (&__restrict__ v)[3],
     const row (&__restrict__ omega)[3],
+    const row& __restrict__ enthalpy,
     const row& __restrict__ h,
     const row (* __restrict__ kx)[3],
     const rateRows* __restrict__ k,
@@ -298,6 +317,18 @@ impactKernel void impact::motionKernels::sum
     stateRows& __restrict__ s
 )
 {
+    for (int i = 0; i < n; ++i)
+    {
+        s.h[i] = enthalpy[i];
+    }
+    for (int j = 0; j < nSlopes; ++j)
+    {
+        const double weight = weights[j];
+        for (int i = 0; i < n; ++i)
+        {
+            s.h[i] += h[i]*weight*k[j].hDot[i];
+        }
+    }
     for (int c = 0; c < 3; ++c)
     {
         for (int i = 0; i < n; ++i)
@@ -328,13 +359,14 @@ impactKernel void impact::motionKernels::error
     const stateRows& __restrict__ b,
     const row& __restrict__ vScale,
     const row& __restrict__ spinScale,
+    const row& __restrict__ hScale,
     const double tolerance,
     row& __restrict__ worst
 )
 {
     for (int i = 0; i < n; ++i)
     {
-        worst[i] = larger
+        const double motion = larger
         (
             largest
             (
@@ -348,6 +380,8 @@ impactKernel void impact::motionKernels::error
                 a.omega[1][i] - b.omega[1][i],
                 a.omega[2][i] - b.omega[2][i]
             )/spinScale[i]
-        )/tolerance;
+        );
+        worst[i] =
+            larger(motion, std::fabs(a.h[i] - b.h[i])/hScale[i])/tolerance;
     }
 }
