@@ -21,14 +21,19 @@ Foam::steadySolution::steadySolution
 {}
 
 
-bool Foam::steadySolution::steady() const
+bool Foam::steadySolution::gasSteady() const
 {
     // Small imbalances of many cells of one sign may add up
     return
         imbalance_.value() <= settings_.residual
      && mag(imbalance_.massBalance) <= settings_.residual
-     && mag(imbalance_.enthalpyBalance) <= settings_.residual
-     && eddyChange_ <= settings_.residual;
+     && mag(imbalance_.enthalpyBalance) <= settings_.residual;
+}
+
+
+bool Foam::steadySolution::steady() const
+{
+    return gasSteady() && eddyChange_ <= settings_.residual;
 }
 
 
@@ -140,7 +145,7 @@ bool Foam::steadySolution::converge(NewtonKrylov& newton)
     while (iterations_ - bestIteration < patience && Co > 0.01)
     {
         // The eddies may need more time than a gas that is at rest by far
-        if (imbalance_.value() < 0.1*settings_.residual)
+        if (gasSteady() && imbalance_.value() < 0.1*settings_.residual)
         {
             iterated();
             equations_.computeRate();

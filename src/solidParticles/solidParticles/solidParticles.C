@@ -296,10 +296,12 @@ void Foam::solidParticles::readCorrection()
         const std::vector<std::string>& names
     )
     {
-        return getWordOf
-        (
-            dict, entry, "", wordList(names.begin(), names.end())
-        );
+        wordList words(names.size());
+        forAll(words, i)
+        {
+            words[i] = names[i];
+        }
+        return getWordOf(dict, entry, "", words);
     };
     const word drag(law("drag", impact::knudsenCorrection::dragLaws()));
     const word heat(law("heat", impact::knudsenCorrection::heatLaws()));

@@ -317,7 +317,7 @@ for exchange in ("perCell", "perCollision"):
     states[exchange] = straight
     verdict(f"{name}_restart", same and np.count_nonzero(owed[0]) > 5
             and changes(log).max() < 1e-12
-            and log.count("stand for so few") == (exchange == "perCollision"),
+            and ("stand for so few" in log) == (exchange == "perCollision"),
             f"bits {'same' if same else 'differ'},"
             f" {np.count_nonzero(owed[0])} cells owed, greatest changes"
             f" {changes(log)}")
