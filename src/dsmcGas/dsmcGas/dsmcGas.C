@@ -907,13 +907,7 @@ void Foam::dsmcGas::account(runSummary& summary) const
 }
 
 
-bool Foam::dsmcGas::writeObject
-(
-    IOstream::streamFormat,
-    IOstream::versionNumber,
-    IOstream::compressionType,
-    const bool
-) const
+bool Foam::dsmcGas::writeObject(FOAM_COMPAT_WRITE_ARGS_UNUSED) const
 {
     lagrangianFile::write
     (

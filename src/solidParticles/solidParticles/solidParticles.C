@@ -1105,13 +1105,7 @@ void Foam::solidParticles::account(runSummary& summary) const
 }
 
 
-bool Foam::solidParticles::writeObject
-(
-    IOstream::streamFormat,
-    IOstream::versionNumber,
-    IOstream::compressionType,
-    const bool
-) const
+bool Foam::solidParticles::writeObject(FOAM_COMPAT_WRITE_ARGS_UNUSED) const
 {
     lagrangianFile::write
     (

@@ -88,13 +88,7 @@ void Foam::restartData::set(labelList&& labels, scalarList&& scalars)
 }
 
 
-bool Foam::restartData::writeObject
-(
-    IOstream::streamFormat,
-    IOstream::versionNumber version,
-    IOstream::compressionType compression,
-    const bool valid
-) const
+bool Foam::restartData::writeObject(FOAM_COMPAT_WRITE_ARGS) const
 {
     if (timeIndex_ != time().timeIndex())
     {
@@ -104,14 +98,7 @@ bool Foam::restartData::writeObject
             << " begins new ones." << endl;
         return true;
     }
-    return
-        regIOobject::writeObject
-        (
-            IOstream::BINARY,
-            version,
-            compression,
-            valid
-        );
+    return regIOobject::writeObject(FOAM_COMPAT_WRITE_BINARY);
 }
 
 
