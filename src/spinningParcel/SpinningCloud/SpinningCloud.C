@@ -425,7 +425,7 @@ void Foam::SpinningCloud<CloudType>::info()
 
     CloudType::info();
 
-    FixedList<scalar, 10> sums;
+    FixedList<scalar, 9> sums;
     sums[0] = rotationalEnergyOfSystem();
     sums[1] = counts_.magnus;
     sums[2] = counts_.magnusOutside;
@@ -433,9 +433,8 @@ void Foam::SpinningCloud<CloudType>::info()
     sums[4] = counts_.torqueOutside;
     sums[5] = statistics_.nSteps;
     sums[6] = statistics_.nForces;
-    sums[7] = statistics_.nCuts;
-    sums[8] = statistics_.nForced;
-    sums[9] = statistics_.nPauses;
+    sums[7] = statistics_.nForced;
+    sums[8] = statistics_.nPauses;
     for (scalar& sum : sums)
     {
         reduce(sum, sumOp<scalar>());
@@ -493,7 +492,7 @@ void Foam::SpinningCloud<CloudType>::info()
         Info<< "    Sub-steps, forces per sub-step  = " << sums[5] << ", "
             << sums[6]/max(sums[5], scalar(1)) << nl
             << "    Most forces between two faces   = " << mostForces << nl
-            << "    cut, uncontrolled, at rest      = " << sums[7] << ", "
-            << sums[8] << ", " << sums[9] << nl;
+            << "    uncontrolled, at rest           = " << sums[7] << ", "
+            << sums[8] << nl;
     }
 }

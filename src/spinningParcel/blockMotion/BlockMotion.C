@@ -15,7 +15,7 @@ void Foam::BlockMotion<CloudType, Force>::take(const int i, parcelType& p)
     f.parcel = &p;
     impact::vector3 x;
     p.locate(cells_, x, cell_[i]);
-    impact::motionBlock::set(block_.x, i, x);
+    impact::motionBlock::set(block_.now.x, i, x);
     enter(i);
     f.place = -1;
     f.begin = 0;
@@ -25,11 +25,11 @@ void Foam::BlockMotion<CloudType, Force>::take(const int i, parcelType& p)
 
     block_.sphere(i, p.d(), p.rho());
     block_.hTry[i] = GREAT;
-    impact::motionBlock::set(block_.v, i, toCore(p.U()));
-    impact::motionBlock::set(block_.omega, i, toCore(p.omega()));
+    impact::motionBlock::set(block_.now.v, i, toCore(p.U()));
+    impact::motionBlock::set(block_.now.omega, i, toCore(p.omega()));
     if constexpr (heated)
     {
-        block_.enthalpy[i] = force_.heat().material().h(p.temperature());
+        block_.now.enthalpy[i] = force_.heat().material().h(p.temperature());
     }
 }
 
@@ -39,10 +39,10 @@ void Foam::BlockMotion<CloudType, Force>::release(const int i)
 {
     const flyer& f = flyers_[i];
     parcelType& p = *f.parcel;
-    p.U() = fromCore(impact::motionBlock::of(block_.v, i));
-    p.omega() = fromCore(impact::motionBlock::of(block_.omega, i));
+    p.U() = fromCore(impact::motionBlock::of(block_.now.v, i));
+    p.omega() = fromCore(impact::motionBlock::of(block_.now.omega, i));
     auto& flight = p.inFlight();
-    flight.x = impact::motionBlock::of(block_.x, i);
+    flight.x = impact::motionBlock::of(block_.now.x, i);
     flight.cell = cell_[i];
     flight.begun = f.begin;
     flight.nForces = f.begin < 1 ? f.nForces : 0;
@@ -68,7 +68,7 @@ Foam::BlockMotion<CloudType, Force>::alone(const int i)
 {
     const flyer& f = flyers_[i];
     force_.parcel(*f.parcel, td_);
-    force_.place(*block_.gas[i], impact::motionBlock::of(block_.x, i));
+    force_.place(*block_.now.gas[i], impact::motionBlock::of(block_.now.x, i));
     return motion_.step
     (
         force_,
@@ -83,6 +83,40 @@ Foam::BlockMotion<CloudType, Force>::alone(const int i)
 
 
 template<class CloudType, class Force>
+void Foam::BlockMotion<CloudType, Force>::exchange
+(
+    const int i,
+    const State& state,
+    const outcome& o,
+    const scalar t
+)
+{
+    parcelType& p = *flyers_[i].parcel;
+    p.U() = fromCore(impact::motionBlock::of(block_.now.v, i));
+    p.omega() = fromCore(impact::motionBlock::of(block_.now.omega, i));
+    p.cell() = cells_.meshCell(cell_[i]);
+    scalar heat = 0;
+    if constexpr (heated)
+    {
+        const scalar T0 = p.temperature();
+        p.temperature() =
+            force_.heat().material().T(block_.now.enthalpy[i]);
+        force_.parcel(p, td_);
+        heat = p.takeHeat(cloud_, force_.heat(), T0, o.kHeat, t);
+    }
+    if (coupled_)
+    {
+        const scalar mass = p.mass();
+        p.giveToGas
+        (
+            cloud_, mass, fromCore(state.v), fromCore(state.omega),
+            t*force_.external(mass, p.rho(), block_.here.rho[i]), heat, true
+        );
+    }
+}
+
+
+template<class CloudType, class Force>
 void Foam::BlockMotion<CloudType, Force>::follow(const int i)
 {
     flyer& f = flyers_[i];
@@ -90,7 +124,7 @@ void Foam::BlockMotion<CloudType, Force>::follow(const int i)
     const outcome o =
         accepted ? block_.template outcome<State>(i) : alone(i);
     const State state(begin(i));
-    impact::vector3 x(impact::motionBlock::of(block_.x, i));
+    impact::vector3 x(impact::motionBlock::of(block_.now.x, i));
     State end = o.state;
     label place = -1;
     scalar tau = 1;
@@ -134,47 +168,26 @@ void Foam::BlockMotion<CloudType, Force>::follow(const int i)
     {
         parcelType::ontoFace(cells_, place, moving_, state, o, x, end, t);
     }
-    impact::motionBlock::set(block_.x, i, x);
+    impact::motionBlock::set(block_.now.x, i, x);
     auto& statistics = cloud_.statistics();
     ++statistics.nSteps;
     statistics.nForces += o.nForce;
     statistics.nForced += o.forced;
     f.nForces += o.nForce;
 
-    parcelType& p = *f.parcel;
     vector U = fromCore(end.v);
     meshTools::constrainDirection(cells_.mesh(), cells_.mesh().solutionD(), U);
-    impact::motionBlock::set(block_.v, i, toCore(U));
-    impact::motionBlock::set(block_.omega, i, end.omega);
-    const scalar T0 = p.temperature();
+    impact::motionBlock::set(block_.now.v, i, toCore(U));
+    impact::motionBlock::set(block_.now.omega, i, end.omega);
     if constexpr (heated)
     {
-        block_.enthalpy[i] = end.h;
-        p.temperature() = force_.heat().material().T(end.h);
+        block_.now.enthalpy[i] = end.h;
     }
     if (heated || coupled_)
     {
-        p.U() = U;
-        p.omega() = fromCore(end.omega);
-        p.cell() = cells_.meshCell(cell_[i]);
-        scalar heat = 0;
-        if constexpr (heated)
-        {
-            force_.parcel(p, td_);
-            heat = p.takeHeat(cloud_, force_.heat(), T0, o.kHeat, t);
-        }
-        if (coupled_)
-        {
-            const scalar mass = p.mass();
-            p.giveToGas
-            (
-                cloud_, mass, fromCore(state.v), fromCore(state.omega),
-                t*force_.external(mass, p.rho(), block_.here.rho[i]), heat,
-                true
-            );
-        }
+        exchange(i, state, o, t);
     }
-    p.age() += t;
+    f.parcel->age() += t;
     f.begin =
         place >= 0 || t < left ? min(f.begin + t/trackTime_, scalar(1)) : 1;
     f.stalls = t < 1e-9*trackTime_ ? f.stalls + 1 : 0;
@@ -210,20 +223,20 @@ void Foam::BlockMotion<CloudType, Force>::advance(const int n)
         left[i] = remaining(flyers_[i]);
         for (int c = 0; c < 3; ++c)
         {
-            way[c][i] = moving_[c]*block_.v[c][i];
+            way[c][i] = moving_[c]*block_.now.v[c][i];
         }
     }
     walkKernels::exitTimes
     (
-        n, cells_.shapes(), cell_, block_.x[0], block_.x[1], block_.x[2],
+        n, cells_.shapes(), cell_, block_.now.x[0], block_.now.x[1], block_.now.x[2],
         way[0], way[1], way[2], left, exit
     );
     for (int i = 0; i < n; ++i)
     {
         block_.hMax[i] = parcelType::longestStep
         (
-            left[i], exit[i], block_.gas[i]->length,
-            impact::mag(impact::motionBlock::of(block_.v, i)),
+            left[i], exit[i], block_.now.gas[i]->length,
+            impact::mag(impact::motionBlock::of(block_.now.v, i)),
             impact::mag(impact::motionBlock::of(block_.here.u, i))
         );
     }
@@ -234,7 +247,7 @@ void Foam::BlockMotion<CloudType, Force>::advance(const int n)
     {
         for (int i = 0; i < n; ++i)
         {
-            const scalar x = block_.x[c][i];
+            const scalar x = block_.now.x[c][i];
             const scalar h = block_.h[i];
             const scalar s = moving_[c]*block_.last.x[c][i];
             points[c][i] = x + (1.0/3)*(h*way[c][i]);

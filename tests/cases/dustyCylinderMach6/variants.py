@@ -156,7 +156,7 @@ frozen("strict")
 edit("strict", "constant/sandCloud", "1e-5;", "1e-10;")
 log = solve("strict")
 uncontrolled = max(int(n) for n in re.findall(
-    r"cut, uncontrolled, at rest *= *\d+, (\d+),", log))
+    r"uncontrolled, at rest *= *(\d+),", log))
 most = max(float(n) for n in re.findall(
     r"Most forces between two faces *= *(\S+)", log))
 verdict("strictForcesBetweenFaces", 30 < most <= 50, f"{most:g} evaluations")

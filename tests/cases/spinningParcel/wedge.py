@@ -88,7 +88,7 @@ write_foam(case, "constant/parcelClouds", f"clouds ({' '.join(CLOUDS)});")
 stock = copy_case(case, "wedgeStock")
 log = solve(case)
 rested = sum(int(n) for n in re.findall(
-    r"cut, uncontrolled, at rest *= *\d+, \d+, (\d+)", log))
+    r"uncontrolled, at rest *= *\d+, (\d+)", log))
 
 
 def of_axis(x, u, spin):

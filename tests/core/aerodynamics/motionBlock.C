@@ -122,25 +122,25 @@ void compare
         {
             fields[i] = randomGas(random);
             d[i] = std::pow(10., -6 + uniform(random));
-            block->gas[i] = &fields[i];
+            block->now.gas[i] = &fields[i];
             block->sphere(i, d[i], 2500);
             motionBlock::set
             (
-                block->x, i,
+                block->now.x, i,
                 fields[i].centre + 5e-4*vector3{uniform(random), 0, 1}
             );
             motionBlock::set
             (
-                block->v, i,
+                block->now.v, i,
                 vector3{1800 + 800*uniform(random), 100*uniform(random), 0}
             );
             motionBlock::set
             (
-                block->omega, i, vector3{0, 0, 1e6*uniform(random)}
+                block->now.omega, i, vector3{0, 0, 1e6*uniform(random)}
             );
             if (particleMotion::thermal<State>)
             {
-                block->enthalpy[i] =
+                block->now.enthalpy[i] =
                     heat.material().h(600 + 300*uniform(random));
             }
             block->hTry[i] = i % 3 ? 1 : 3e-8;
@@ -156,18 +156,18 @@ void compare
         {
             oneForce force
             {
-                forces, heat, fields[i], motionBlock::of(block->x, i), solved,
+                forces, heat, fields[i], motionBlock::of(block->now.x, i), solved,
                 rotation
             };
             force.forces.sphere(d[i], 2500);
             force.heat.sphere(d[i], 2500);
             State s;
             s.x = vector3{0, 0, 0};
-            s.v = motionBlock::of(block->v, i);
-            s.omega = motionBlock::of(block->omega, i);
+            s.v = motionBlock::of(block->now.v, i);
+            s.omega = motionBlock::of(block->now.omega, i);
             if constexpr (particleMotion::thermal<State>)
             {
-                s.h = block->enthalpy[i];
+                s.h = block->now.enthalpy[i];
             }
             const gasState here = fields[i](force.x);
             const double h = std::min(block->hMax[i], block->hTry[i]);
@@ -331,11 +331,11 @@ TEST(motionBlock, countsEvaluationsOutsideTheFits)
     const linearGas gas = randomGas(random);
     for (int i = 0; i < 3; ++i)
     {
-        block->gas[i] = &gas;
+        block->now.gas[i] = &gas;
         block->sphere(i, i ? 1e-4 : 1e-6, 2500);
-        motionBlock::set(block->x, i, gas.centre);
-        motionBlock::set(block->v, i, vector3{0, 0, 0});
-        motionBlock::set(block->omega, i, vector3{0, 0, 0});
+        motionBlock::set(block->now.x, i, gas.centre);
+        motionBlock::set(block->now.v, i, vector3{0, 0, 0});
+        motionBlock::set(block->now.omega, i, vector3{0, 0, 0});
         block->hTry[i] = block->hMax[i] = 1e-9;
     }
     block->begin(3);

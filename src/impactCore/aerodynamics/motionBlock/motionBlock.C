@@ -10,11 +10,10 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-template<class Spheres>
 void impact::motionBlock::rates
 (
     int n,
-    const Spheres& s,
+    const spheres& s,
     const gasRows& there,
     const row (&u)[3],
     const row (&spin)[3],
@@ -85,34 +84,43 @@ void impact::motionBlock::rates
 }
 
 
+void impact::motionBlock::spheres::take(const spheres& from, int j, int i)
+{
+    gas[i] = from.gas[j];
+    set(x, i, of(from.x, j));
+    set(v, i, of(from.v, j));
+    set(omega, i, of(from.omega, j));
+    enthalpy[i] = from.enthalpy[j];
+    d[i] = from.d[j];
+    inverseRhoP[i] = from.inverseRhoP[j];
+    drag0[i] = from.drag0[j];
+    torque0[i] = from.torque0[j];
+    convection0[i] = from.convection0[j];
+    radiation0[i] = from.radiation0[j];
+}
+
+
 void impact::motionBlock::longer::keep(int j, int i)
 {
     if (i == j)
     {
         return;
     }
+    take(*this, j, i);
     index[i] = index[j];
-    gas[i] = gas[j];
-    for (row* r : {&d, &inverseRhoP, &drag0, &torque0, &convection0,
-        &radiation0, &enthalpy, &h, &vScale, &spinScale, &hScale, &worst,
-        &state.h})
+    for (row* r : {&h, &vScale, &spinScale, &hScale, &worst, &state.h})
     {
         (*r)[i] = (*r)[j];
     }
-    for (int c = 0; c < 3; ++c)
+    set(state.x, i, of(state.x, j));
+    set(state.v, i, of(state.v, j));
+    set(state.omega, i, of(state.omega, j));
+    for (int stage = 0; stage < 4; ++stage)
     {
-        for (row* r : {&x[c], &v[c], &omega[c], &state.x[c], &state.v[c],
-            &state.omega[c]})
-        {
-            (*r)[i] = (*r)[j];
-        }
-        for (int stage = 0; stage < 4; ++stage)
-        {
-            k[stage].hDot[i] = k[stage].hDot[j];
-            kx[stage][c][i] = kx[stage][c][j];
-            k[stage].a[c][i] = k[stage].a[c][j];
-            k[stage].alpha[c][i] = k[stage].alpha[c][j];
-        }
+        set(kx[stage], i, of(kx[stage], j));
+        set(k[stage].a, i, of(k[stage].a, j));
+        set(k[stage].alpha, i, of(k[stage].alpha, j));
+        k[stage].hDot[i] = k[stage].hDot[j];
     }
 }
 
@@ -186,14 +194,7 @@ void impact::motionBlock::goOn(int n)
         }
         const int to = l.n++;
         l.index[to] = i;
-        l.gas[to] = gas[i];
-        l.d[to] = d[i];
-        l.inverseRhoP[to] = inverseRhoP[i];
-        l.drag0[to] = drag0[i];
-        l.torque0[to] = torque0[i];
-        l.convection0[to] = convection0[i];
-        l.radiation0[to] = radiation0[i];
-        l.enthalpy[to] = enthalpy[i];
+        l.take(now, i, to);
         l.hScale[to] = hScale[i];
         l.k[0].hDot[to] = f.hDot[i];
         l.k[1].hDot[to] = g.hDot[i];
@@ -201,10 +202,7 @@ void impact::motionBlock::goOn(int n)
         l.h[to] = h[i];
         l.vScale[to] = vScale[i];
         l.spinScale[to] = spinScale[i];
-        set(l.x, to, of(x, i));
-        set(l.v, to, of(v, i));
-        set(l.omega, to, of(omega, i));
-        set(l.kx[0], to, of(v, i));
+        set(l.kx[0], to, of(now.v, i));
         set(l.k[0].a, to, of(f.a, i));
         set(l.k[0].alpha, to, of(f.alpha, i));
         set(l.kx[1], to, of(middle.v, i));
@@ -282,37 +280,27 @@ impact::motionBlock::motionBlock
 
 void impact::motionBlock::sphere(int i, double diameter, double rhoP)
 {
-    d[i] = diameter;
-    inverseRhoP[i] = 1/rhoP;
-    drag0[i] = 0.75/(rhoP*diameter*diameter);
-    torque0[i] = rotationalTorque::scale(diameter, rhoP, 1);
-    enthalpy[i] = 0;
-    convection0[i] = heat_ ? heat_->convection(diameter, rhoP) : 0;
-    radiation0[i] = heat_ ? heat_->radiation(diameter, rhoP) : 0;
+    now.d[i] = diameter;
+    now.inverseRhoP[i] = 1/rhoP;
+    now.drag0[i] = sphereForces::dragScale(diameter, rhoP);
+    now.torque0[i] = rotationalTorque::scale(diameter, rhoP, 1);
+    now.convection0[i] = heat_ ? heat_->convection(diameter, rhoP) : 0;
+    now.radiation0[i] = heat_ ? heat_->radiation(diameter, rhoP) : 0;
+    now.enthalpy[i] = 0;
 }
 
 
 void impact::motionBlock::move(int j, int i)
 {
-    d[i] = d[j];
-    inverseRhoP[i] = inverseRhoP[j];
-    drag0[i] = drag0[j];
-    torque0[i] = torque0[j];
-    convection0[i] = convection0[j];
-    radiation0[i] = radiation0[j];
-    enthalpy[i] = enthalpy[j];
+    now.take(now, j, i);
     hTry[i] = hTry[j];
-    gas[i] = gas[j];
-    set(x, i, of(x, j));
-    set(v, i, of(v, j));
-    set(omega, i, of(omega, j));
 }
 
 
 void impact::motionBlock::begin(int n)
 {
-    motionKernels::gas(n, gas, x, here);
-    rates(n, *this, here, v, omega, enthalpy, f);
+    motionKernels::gas(n, now.gas, now.x, here);
+    rates(n, now, here, now.v, now.omega, now.enthalpy, f);
 }
 
 
@@ -321,14 +309,15 @@ void impact::motionBlock::end(int n)
     row place[3];
     motionKernels::stretch
     (
-        n, x, v, omega, enthalpy, f, hMax, hTry, h, middle, place
+        n, now.x, now.v, now.omega, now.enthalpy, f, hMax, hTry, h, middle,
+        place
     );
-    motionKernels::gas(n, gas, place, there);
-    rates(n, *this, there, middle.v, middle.omega, middle.h, g);
+    motionKernels::gas(n, now.gas, place, there);
+    rates(n, now, there, middle.v, middle.omega, middle.h, g);
     motionKernels::end
     (
-        n, here, v, omega, enthalpy, f, middle, g, h, tolerance_, last,
-        vScale, spinScale, hScale, worst, power, accepted, more_
+        n, here, now.v, now.omega, now.enthalpy, f, middle, g, h, tolerance_,
+        last, vScale, spinScale, hScale, worst, power, accepted, more_
     );
     for (int i = 0; i < n; ++i)
     {
