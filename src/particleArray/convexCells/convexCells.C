@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "convexCells.H"
+#include "cellPlanes.H"
 #include "cyclicAMIPolyPatch.H"
 #include "cyclicPolyPatch.H"
 #include "emptyPolyPatch.H"
@@ -15,307 +16,25 @@
 #include "wedgePolyPatch.H"
 
 #include <algorithm>
-#include <map>
-
-namespace
-{
-    using Foam::label;
-    using Foam::scalar;
-    using Foam::vector;
-
-    // Behind a face of a tetrahedron until the one there is met
-    const label unknown = Foam::labelMin;
-
-    struct facePlane
-    {
-        vector normal;
-        scalar distance;
-        label target;
-
-        //- Of the mesh; -1 between tetrahedra of a cell
-        label face;
-    };
-
-    facePlane planeThrough(vector n, const vector& at, const label target)
-    {
-        // What is normal to an axis but for rounding is so to the last bit:
-        // buildBounds
-        for (Foam::direction d = 0; d < 3; ++d)
-        {
-            if (Foam::mag(Foam::mag(n[d]) - 1) < 1e-12)
-            {
-                const scalar sign = n[d] > 0 ? 1 : -1;
-                vector axis(Foam::Zero);
-                axis[d] = sign;
-                if (Foam::mag(n - axis) < 1e-12)
-                {
-                    n = axis;
-                }
-            }
-        }
-        return facePlane{n, n & at, target, -1};
-    }
-
-    facePlane reversed(const facePlane& p, const label target)
-    {
-        return facePlane{-p.normal, -p.distance, target, p.face};
-    }
-}
-
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::convexCells::buildCells(const boolList& split)
 {
-    const pointField& points = mesh_.points();
-    const vectorField& cellCentres = mesh_.cellCentres();
-    const vectorField& areas = mesh_.faceAreas();
-    const labelList& own = mesh_.faceOwner();
-    const labelList& nei = mesh_.faceNeighbour();
-    const label nInternal = mesh_.nInternalFaces();
-    const label nBoundary = mesh_.nFaces() - nInternal;
-
-    // Numbering. firstTet[side][face]: tetrahedron of its first triangle
-    labelList firstTet[2];
-    firstTet[0].setSize(mesh_.nFaces(), -1);
-    firstTet[1].setSize(mesh_.nFaces(), -1);
-    firstCell_.setSize(mesh_.nCells() + 1);
-    DynamicList<label> meshCell(mesh_.nCells());
-    nSplit_ = 0;
-    forAll(split, celli)
-    {
-        firstCell_[celli] = meshCell.size();
-        if (!split[celli])
-        {
-            meshCell.append(celli);
-            continue;
-        }
-        ++nSplit_;
-        for (const label facei : mesh_.cells()[celli])
-        {
-            firstTet[own[facei] != celli][facei] = meshCell.size();
-            for (label i = 2; i < mesh_.faces()[facei].size(); ++i)
-            {
-                meshCell.append(celli);
-            }
-        }
-    }
-    firstCell_.last() = meshCell.size();
-    meshCell_.transfer(meshCell);
-
-    const auto triangle = [&](const label facei, const label i)
-    {
-        const face& f = mesh_.faces()[facei];
-        const label base = max(mesh_.tetBasePtIs()[facei], label(0));
-        return triFace
-        (
-            f[base],
-            f[(base + i + 1) % f.size()],
-            f[(base + i + 2) % f.size()]
-        );
-    };
-
-    List<DynamicList<facePlane>> cells(meshCell_.size());
-    forAll(cells, celli)
-    {
-        const label meshCelli = meshCell_[celli];
-        cells[celli].setCapacity
-        (
-            split[meshCelli] ? 4 : mesh_.cells()[meshCelli].size()
-        );
-    }
-    boundaryCells_.setSize(nBoundary);
-    DynamicList<labelList> choices;
-
-    // Both sides of a coupled face take the same planes
-    boolList splitBeyond(nBoundary, true);
-    for (const polyPatch& patch : mesh_.boundaryMesh())
-    {
-        for (label i = 0; patch.coupled() && i < patch.size(); ++i)
-        {
-            splitBeyond[patch.start() - nInternal + i] =
-                split[patch.faceCells()[i]];
-        }
-    }
-    syncTools::swapBoundaryFaceList(mesh_, splitBeyond);
-
-    // Faces of the mesh, seen from the owner
-    forAll(areas, facei)
-    {
-        const bool internal = facei < nInternal;
-        const label nTriangles = mesh_.faces()[facei].size() - 2;
-        const label sideCell[2] =
-            {own[facei], internal ? nei[facei] : -1};
-        const bool isSplit[2] =
-            {split[own[facei]], internal && split[nei[facei]]};
-
-        labelList behind[2];
-        for (label side = 0; side < (internal ? 2 : 1); ++side)
-        {
-            behind[side].setSize(isSplit[side] ? nTriangles : 1);
-            forAll(behind[side], i)
-            {
-                behind[side][i] = isSplit[side]
-                  ? firstTet[side][facei] + i
-                  : firstCell_[sideCell[side]];
-            }
-        }
-        if (!internal)
-        {
-            boundaryCells_[facei - nInternal] = behind[0];
-        }
-
-        const vector whole = areas[facei]/mag(areas[facei]);
-        const bool byTriangles =
-            isSplit[0]
-         && (internal ? isSplit[1] : splitBeyond[facei - nInternal]);
-
-        // A whole cell before a split one: the choice is made on the spot
-        label choice[2] = {-1, -1};
-        for (label side = 0; side < 2; ++side)
-        {
-            if (internal && !isSplit[side] && isSplit[1 - side])
-            {
-                choice[side] = -1 - nBoundary - choices.size();
-                choices.append(behind[1 - side]);
-            }
-        }
-
-        const label nPlanes =
-            isSplit[0] || isSplit[1] ? nTriangles : label(1);
-        for (label i = 0; i < nPlanes; ++i)
-        {
-            vector n = whole;
-            vector at = mesh_.faceCentres()[facei];
-            if (byTriangles)
-            {
-                const triFace t = triangle(facei, i);
-                n = normalised
-                (
-                    (points[t[1]] - points[t[0]])
-                  ^ (points[t[2]] - points[t[0]])
-                );
-                at = points[t[0]];
-            }
-
-            const auto cellOf = [&](const label side)
-            {
-                return behind[side][isSplit[side] ? i : 0];
-            };
-            facePlane p = planeThrough(n, at, -1);
-            p.face = facei;
-            if (isSplit[0] || i == 0)
-            {
-                cells[cellOf(0)].append(p);
-                cells[cellOf(0)].last().target =
-                    !internal ? -1 - (facei - nInternal)
-                  : choice[0] != -1 ? choice[0]
-                  : cellOf(1);
-            }
-            if (internal && (isSplit[1] || i == 0))
-            {
-                cells[cellOf(1)].append
-                (
-                    reversed(p, choice[1] != -1 ? choice[1] : cellOf(0))
-                );
-            }
-        }
-    }
-    choices_.transfer(choices);
-
-    // Faces between the tetrahedra of a cell: each stands on an edge
-    label nBad = 0, badCell = -1;
-    forAll(split, celli)
-    {
-        if (!split[celli])
-        {
-            continue;
-        }
-
-        std::map<std::pair<label, label>, label> waiting;
-        const vector& centre = cellCentres[celli];
-        bool bad = false;
-        for (const label facei : mesh_.cells()[celli])
-        {
-            const label side = own[facei] != celli;
-            for (label i = 0; i + 2 < mesh_.faces()[facei].size(); ++i)
-            {
-                const label tet = firstTet[side][facei] + i;
-                const triFace t = triangle(facei, i);
-                const vector n =
-                    (points[t[1]] - points[t[0]])
-                  ^ (points[t[2]] - points[t[0]]);
-                const scalar height =
-                    (side ? -1 : 1)*((points[t[0]] - centre) & n);
-                bad = bad || height <= 0;
-
-                for (label e = 0; e < 3; ++e)
-                {
-                    const label a = min(t[e], t[(e + 1) % 3]);
-                    const label b = max(t[e], t[(e + 1) % 3]);
-                    const point& opposite = points[t[(e + 2) % 3]];
-                    vector m = normalised
-                    (
-                        (points[a] - centre) ^ (points[b] - centre)
-                    );
-                    if (((opposite - centre) & m) > 0)
-                    {
-                        m = -m;
-                    }
-
-                    const auto found = waiting.find({a, b});
-                    if (found == waiting.end())
-                    {
-                        waiting[{a, b}] = tet;
-                        cells[tet].append(planeThrough(m, centre, -1));
-                        cells[tet].last().target = unknown;
-                        continue;
-                    }
-
-                    const label other = found->second;
-                    bool matched = false;
-                    for (facePlane& p : cells[other])
-                    {
-                        if (p.target == unknown && mag(p.normal + m) < 1e-6)
-                        {
-                            p.target = tet;
-                            cells[tet].append(reversed(p, other));
-                            matched = true;
-                            break;
-                        }
-                    }
-                    bad = bad || !matched;
-                    waiting.erase(found);
-                }
-            }
-        }
-        if (bad)
-        {
-            ++nBad;
-            badCell = celli;
-        }
-    }
-    if (returnReduce(nBad, sumOp<label>()))
-    {
-        FatalErrorInFunction
-            << returnReduce(nBad, sumOp<label>())
-            << " cells have no decomposition into tetrahedra about their"
-            << " centre"
-            << (badCell >= 0 ? ", one of them near " : "");
-        if (badCell >= 0)
-        {
-            FatalError<< cellCentres[badCell];
-        }
-        FatalError<< ". Improve the mesh (checkMesh)." << exit(FatalError);
-    }
+    cellPlanes built(mesh_, split);
+    nSplit_ = built.nSplit();
+    firstCell_.transfer(built.firstCell);
+    meshCell_.transfer(built.meshCell);
+    boundaryCells_.transfer(built.boundaryCells);
+    choices_.transfer(built.choices);
 
     // Into groups
     using namespace walkKernels;
     firstGroup_.assign(1, 0);
-    firstGroup_.reserve(cells.size() + 1);
-    forAll(cells, celli)
+    firstGroup_.reserve(built.planes.size() + 1);
+    for (const DynamicList<cellPlanes::plane>& planes : built.planes)
     {
-        const label nGroups = (cells[celli].size() + width - 1)/width;
+        const label nGroups = (planes.size() + width - 1)/width;
         const std::size_t group = firstGroup_.back();
         firstGroup_.push_back(group + nGroups);
         planes_.resize(stride*(group + nGroups), 0);
@@ -325,9 +44,9 @@ void Foam::convexCells::buildCells(const boolList& split)
         {
             double* p = &planes_[stride*(group + i/width) + i % width];
             p[3*width] = 1;
-            if (i < cells[celli].size())
+            if (i < planes.size())
             {
-                const facePlane& q = cells[celli][i];
+                const cellPlanes::plane& q = planes[i];
                 for (label d = 0; d < 3; ++d)
                 {
                     p[d*width] = q.normal[d];
