@@ -387,7 +387,7 @@ void Foam::EventDrivenCollisions<CloudType>::motion(trackingData& td)
         {
             continue;
         }
-        if (f.guest)
+        if (f.ghost)
         {
             delete f.parcel;
             continue;

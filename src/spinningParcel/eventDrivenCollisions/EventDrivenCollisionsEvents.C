@@ -17,11 +17,11 @@ void Foam::EventDrivenCollisions<CloudType>::collide
     const double t
 )
 {
-    course& a = courses_[i];
-    course& b = courses_[j];
+    trajectory& a = trajectories_[i];
+    trajectory& b = trajectories_[j];
     const double pull = a.pull + b.pull;
     bool resting = false;
-    const auto arrival = [&](course& c)
+    const auto arrival = [&](trajectory& c)
     {
         mission m(c.resting ? END_REST : ARRIVE, t);
         m.path = c.path;
@@ -35,7 +35,7 @@ void Foam::EventDrivenCollisions<CloudType>::collide
     };
     mission aThen = arrival(a);
     mission bThen = arrival(b);
-    const auto go = [&](course& c, mission& then)
+    const auto go = [&](trajectory& c, mission& then)
     {
         if (c.held)
         {
@@ -115,7 +115,7 @@ bool Foam::EventDrivenCollisions<CloudType>::hitWall
     const double t
 )
 {
-    course& c = courses_[i];
+    trajectory& c = trajectories_[i];
     if (c.resting)
     {
         mission m(END_REST, t);

@@ -12,7 +12,7 @@
 template<class CloudType>
 impact::sweptBox Foam::EventDrivenCollisions<CloudType>::boxOf
 (
-    const course& c
+    const trajectory& c
 ) const
 {
     impact::sweptBox box;
@@ -127,8 +127,8 @@ template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::planAll()
 {
     const label rank = Pstream::myProcNo();
-    courses_.clear();
-    grow(courses_, flights_.size());
+    trajectories_.clear();
+    grow(trajectories_, flights_.size());
     for (std::size_t i = 0; i < flights_.size(); ++i)
     {
         flight& f = flights_[i];
@@ -137,7 +137,7 @@ void Foam::EventDrivenCollisions<CloudType>::planAll()
             continue;
         }
         mission m(PLAN, 0);
-        course c;
+        trajectory c;
         c.handedOn = !plan(f, m);
         c.identity = identityOf(*f.parcel);
         c.radius = 0.5*f.parcel->d();
@@ -150,7 +150,7 @@ void Foam::EventDrivenCollisions<CloudType>::planAll()
         c.pull = 0;
         c.home = {rank, label(i)};
         adoptPlan(c, m);
-        courses_.push_back(c);
+        trajectories_.push_back(c);
     }
     if (Pstream::parRun())
     {
@@ -169,7 +169,7 @@ void Foam::EventDrivenCollisions<CloudType>::write
 )
 {
     append(out[rank], n);
-    out[rank].append(blob_, 0, n.blobSize);
+    out[rank].append(buffer_, 0, n.bufferSize);
 }
 
 
@@ -187,7 +187,7 @@ void Foam::EventDrivenCollisions<CloudType>::passOn
     pack(f, packed, false);
     request n(RECEIVE, 0, packed.m);
     n.patch = packed.toPatch;
-    n.blobSize = packed.blobSize;
+    n.bufferSize = packed.bufferSize;
     n.home = home;
     n.next = {Pstream::myProcNo(), slot};
     write(out, packed.toRank, n);
@@ -225,7 +225,7 @@ void Foam::EventDrivenCollisions<CloudType>::read(const request& n, post& out)
             return;
 
         case PASS:
-            adoptPlan(courses_[n.slot], n.m);
+            adoptPlan(trajectories_[n.slot], n.m);
             return;
 
         default:                    // COMMIT
@@ -255,8 +255,8 @@ void Foam::EventDrivenCollisions<CloudType>::deliver(post& out)
                 request n(LINK, 0, mission(PLAN, 0));
                 std::memcpy(static_cast<void*>(&n), &bytes[at], sizeof(n));
                 at += sizeof(n);
-                blob_.assign(bytes, at, n.blobSize);
-                at += n.blobSize;
+                buffer_.assign(bytes, at, n.bufferSize);
+                at += n.bufferSize;
                 read(n, out);
             }
         }
@@ -268,9 +268,9 @@ template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::handOn()
 {
     post out(Pstream::nProcs());
-    for (std::size_t i = 0; i < courses_.size(); ++i)
+    for (std::size_t i = 0; i < trajectories_.size(); ++i)
     {
-        const course& c = courses_[i];
+        const trajectory& c = trajectories_[i];
         if (c.handedOn)
         {
             mission m(PLAN, 0);
@@ -292,9 +292,9 @@ template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::makeHalo()
 {
     std::vector<impact::sweptBox> boxes;
-    boxes.reserve(courses_.size());
+    boxes.reserve(trajectories_.size());
     reach_ = 0;
-    for (const course& c : courses_)
+    for (const trajectory& c : trajectories_)
     {
         boxes.push_back(boxOf(c));
         reach_ = max(reach_, boxes.back().extent());
@@ -306,9 +306,9 @@ void Foam::EventDrivenCollisions<CloudType>::makeHalo()
     news_.clear();
     stopped_.clear();
     post out(Pstream::nProcs());
-    for (std::size_t i = 0; i < courses_.size(); ++i)
+    for (std::size_t i = 0; i < trajectories_.size(); ++i)
     {
-        course& c = courses_[i];
+        trajectory& c = trajectories_[i];
         c.shared = meetsOthers(boxes[i]);
         if (!c.shared)
         {
@@ -327,15 +327,15 @@ void Foam::EventDrivenCollisions<CloudType>::makeHalo()
             }
         }
     }
-    work_[0] = courses_.size();
+    work_[0] = trajectories_.size();
     for (const std::string& bytes : exchange(out))
     {
-        take(bytes, courses_);
+        take(bytes, trajectories_);
     }
-    work_[1] = courses_.size() - work_[0];
-    for (std::size_t i = work_[0]; i < courses_.size(); ++i)
+    work_[1] = trajectories_.size() - work_[0];
+    for (std::size_t i = work_[0]; i < trajectories_.size(); ++i)
     {
-        sharedAt_[courses_[i].identity] = i;
+        sharedAt_[trajectories_[i].identity] = i;
     }
 }
 
@@ -365,7 +365,7 @@ template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::commitAll()
 {
     post out(Pstream::nProcs());
-    for (const course& c : courses_)
+    for (const trajectory& c : trajectories_)
     {
         if
         (

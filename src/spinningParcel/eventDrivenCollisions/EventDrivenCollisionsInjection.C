@@ -105,7 +105,7 @@ void Foam::EventDrivenCollisions<CloudType>::displaceMember
     const vector& way
 )
 {
-    course c;
+    trajectory c;
     c.home = a.where;
     mission m(DISPLACE, 0);
     m.way = way;
@@ -211,7 +211,7 @@ void Foam::EventDrivenCollisions<CloudType>::admitInjected()
         if (Pstream::master())
         {
             nOverlaps = part(pairs);
-            blob_.clear();
+            buffer_.clear();
             dismiss();
             if (sweep == 0)
             {

@@ -86,7 +86,7 @@ void Foam::EventDrivenCollisions<CloudType>::receiveBytes
 template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::drop(flight& f)
 {
-    if (f.guest)
+    if (f.ghost)
     {
         delete f.parcel;
     }
@@ -101,10 +101,10 @@ void Foam::EventDrivenCollisions<CloudType>::drop(flight& f)
 template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::settleHere(flight& f)
 {
-    if (f.guest)
+    if (f.ghost)
     {
         cloud_.addParticle(f.parcel);
-        f.guest = false;
+        f.ghost = false;
     }
 }
 
@@ -128,8 +128,8 @@ void Foam::EventDrivenCollisions<CloudType>::pack
     p.prepareForParallelTransfer();
     OStringStream os(IOstream::BINARY);
     os << p;
-    blob_ = os.str();
-    r.blobSize = blob_.size();
+    buffer_ = os.str();
+    r.bufferSize = buffer_.size();
     here.restore(p);
     if (!take)
     {
@@ -143,17 +143,17 @@ template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::unpack(const request& r)
 {
     const polyMesh& mesh = cloud_.mesh();
-    IStringStream is(blob_, IOstream::BINARY);
+    IStringStream is(buffer_, IOstream::BINARY);
     autoPtr<parcelType> received(new parcelType(mesh, is, true));
     received->correctAfterParallelTransfer
         (mesh.globalData().processorPatches()[r.patch], *td_);
     parcelType& p = *received.ptr();
     flights_.emplace_back(p);
     flight& f = flights_.back();
-    f.guest = !takesParcel(r.m) && r.m.begun;
+    f.ghost = !takesParcel(r.m) && r.m.begun;
     f.keep = r.m.keep;
     f.injected = r.m.injected;
-    if (!f.guest)
+    if (!f.ghost)
     {
         cloud_.addParticle(&p);
     }
@@ -285,13 +285,13 @@ Foam::EventDrivenCollisions<CloudType>::ask(const label rank, request& r)
     {
         return answer(r);
     }
-    r.blobSize = r.kind == RECEIVE ? blob_.size() : 0;
+    r.bufferSize = r.kind == RECEIVE ? buffer_.size() : 0;
     sendBytes(rank, &r, sizeof(r));
-    sendBytes(rank, blob_.data(), r.blobSize);
+    sendBytes(rank, buffer_.data(), r.bufferSize);
     response out(0, r.m);
     receiveBytes(rank, &out, sizeof(out));
-    blob_.resize(out.blobSize);
-    receiveBytes(rank, &blob_[0], out.blobSize);
+    buffer_.resize(out.bufferSize);
+    receiveBytes(rank, &buffer_[0], out.bufferSize);
     return out;
 }
 
@@ -303,15 +303,15 @@ void Foam::EventDrivenCollisions<CloudType>::serve(const label leader)
     while (true)
     {
         receiveBytes(leader, &r, sizeof(r));
-        blob_.resize(r.blobSize);
-        receiveBytes(leader, &blob_[0], r.blobSize);
+        buffer_.resize(r.bufferSize);
+        receiveBytes(leader, &buffer_[0], r.bufferSize);
         if (r.kind == FINISH)
         {
             return;
         }
         const response out = answer(r);
         sendBytes(leader, &out, sizeof(out));
-        sendBytes(leader, blob_.data(), out.blobSize);
+        sendBytes(leader, buffer_.data(), out.bufferSize);
     }
 }
 
@@ -320,20 +320,20 @@ template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::dismiss()
 {
     request r(FINISH, 0, mission(PLAN, 0));
-    r.blobSize = blob_.size();
+    r.bufferSize = buffer_.size();
     for (label rank = 0; rank < Pstream::nProcs(); ++rank)
     {
         if (rank != Pstream::myProcNo())
         {
             sendBytes(rank, &r, sizeof(r));
-            sendBytes(rank, blob_.data(), r.blobSize);
+            sendBytes(rank, buffer_.data(), r.bufferSize);
         }
     }
 }
 
 
 template<class CloudType>
-void Foam::EventDrivenCollisions<CloudType>::fly(course& c, mission& m)
+void Foam::EventDrivenCollisions<CloudType>::fly(trajectory& c, mission& m)
 {
     c.handedOn = false;
     request r(MOVE, c.home.slot, m);
@@ -345,7 +345,7 @@ void Foam::EventDrivenCollisions<CloudType>::fly(course& c, mission& m)
 template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::follow
 (
-    course& c,
+    trajectory& c,
     mission& m,
     response& out
 )
@@ -363,7 +363,7 @@ void Foam::EventDrivenCollisions<CloudType>::follow
         // Until then its path is the straight one
         m = out.m;
         m.end = deltaT_;
-        stopped_.emplace(std::int32_t(&c - courses_.data()), out.m);
+        stopped_.emplace(std::int32_t(&c - trajectories_.data()), out.m);
         return;
     }
     leg last = c.home;
@@ -384,12 +384,12 @@ void Foam::EventDrivenCollisions<CloudType>::follow
         }
         else if (out.m.kind == PLAN)
         {
-            // A message between its parts must not meet the parcel in blob_
-            const std::string parcel = blob_;
+            // A message between its parts must not meet the parcel in buffer_
+            const std::string parcel = buffer_;
             request link(LINK, last.slot, out.m);
             link.next = here;
             ask(last.rank, link);
-            blob_ = parcel;
+            buffer_ = parcel;
             c.handedOn = true;
             last = here;
         }
@@ -407,7 +407,7 @@ void Foam::EventDrivenCollisions<CloudType>::follow
 
 
 template<class CloudType>
-void Foam::EventDrivenCollisions<CloudType>::resume(course& c, mission& m)
+void Foam::EventDrivenCollisions<CloudType>::resume(trajectory& c, mission& m)
 {
     request r(PASS, c.home.slot, m);
     response out = ask(c.home.rank, r);
@@ -419,7 +419,7 @@ void Foam::EventDrivenCollisions<CloudType>::resume(course& c, mission& m)
 template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::adoptPlan
 (
-    course& c,
+    trajectory& c,
     const mission& m
 )
 {
@@ -443,7 +443,7 @@ void Foam::EventDrivenCollisions<CloudType>::adoptPlan
 
 template<class CloudType>
 typename Foam::EventDrivenCollisions<CloudType>::leg
-Foam::EventDrivenCollisions<CloudType>::commitLegs(course& c, bool& keep)
+Foam::EventDrivenCollisions<CloudType>::commitLegs(trajectory& c, bool& keep)
 {
     leg here = c.home;
     while (c.handedOn)
@@ -467,7 +467,7 @@ Foam::EventDrivenCollisions<CloudType>::commitLegs(course& c, bool& keep)
 template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::watch(const std::int32_t i)
 {
-    course& c = courses_[i];
+    trajectory& c = trajectories_[i];
     if (!Pstream::parRun() || c.shared)
     {
         return;
@@ -495,7 +495,7 @@ Foam::EventDrivenCollisions<CloudType>::callOf
     c[6] = Pstream::myProcNo();
     const auto name = [&](const label at, const std::int32_t i)
     {
-        const std::uint64_t identity = courses_[i].identity;
+        const std::uint64_t identity = trajectories_[i].identity;
         c[at] = scalar(identity >> 32);
         c[at + 1] = scalar(std::uint32_t(identity));
     };
@@ -517,7 +517,7 @@ Foam::EventDrivenCollisions<CloudType>::agree()
     if (!news_.empty())
     {
         const std::int32_t i = news_[0];
-        mine = callOf({courses_[i].path.start, i, -1, 0, 0, 0});
+        mine = callOf({trajectories_[i].path.start, i, -1, 0, 0, 0});
     }
     else
     {
@@ -604,8 +604,8 @@ void Foam::EventDrivenCollisions<CloudType>::lead()
             {
                 mission m = stopped->second;
                 stopped_.erase(stopped);
-                resume(courses_[i], m);
-                step_.change(*this, courses_[i].path.start, i, -1);
+                resume(trajectories_[i], m);
+                step_.change(*this, trajectories_[i].path.start, i, -1);
             }
         }
     }
@@ -618,10 +618,10 @@ void Foam::EventDrivenCollisions<CloudType>::lead()
             changed.push_back(e.second);
         }
     }
-    blob_.clear();
+    buffer_.clear();
     for (const std::int32_t i : changed)
     {
-        append(blob_, courses_[i]);
+        append(buffer_, trajectories_[i]);
     }
     dismiss();
 }
@@ -630,18 +630,18 @@ void Foam::EventDrivenCollisions<CloudType>::lead()
 template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::takeOver(const scalar t)
 {
-    std::vector<course> changed;
-    take(blob_, changed);
+    std::vector<trajectory> changed;
+    take(buffer_, changed);
     std::vector<std::int32_t> here;
-    for (course& c : changed)
+    for (trajectory& c : changed)
     {
         const bool own = c.home.rank == Pstream::myProcNo();
         const auto known = sharedAt_.find(c.identity);
         if (known != sharedAt_.end())
         {
             const std::int32_t i = known->second;
-            courses_[i] = c;
-            courses_[i].shared = true;
+            trajectories_[i] = c;
+            trajectories_[i].shared = true;
             if (c.gone)
             {
                 step_.remove(i);
@@ -653,9 +653,9 @@ void Foam::EventDrivenCollisions<CloudType>::takeOver(const scalar t)
         }
         else if (!c.gone && (own || (c.shared && mayMeet(boxOf(c)))))
         {
-            const std::int32_t i = courses_.size();
-            courses_.push_back(c);
-            courses_[i].shared = true;
+            const std::int32_t i = trajectories_.size();
+            trajectories_.push_back(c);
+            trajectories_[i].shared = true;
             sharedAt_[c.identity] = i;
             step_.add(*this);
             here.push_back(i);
