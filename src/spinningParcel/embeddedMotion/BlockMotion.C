@@ -77,7 +77,7 @@ Foam::BlockMotion<CloudType, Force>::alone(const int i)
         impact::mag(force_.here().spin),
         block_.hMax[i],
         block_.hTry[i],
-        max(parcelType::maxForces - f.nForces - parcelType::kept, label(3))
+        max(stepToFace::maxForces - f.nForces - stepToFace::kept, label(3))
     );
 }
 
@@ -156,7 +156,7 @@ void Foam::BlockMotion<CloudType, Force>::follow(const int i)
     scalar t = tau*o.h;
     if (tau < 1)
     {
-        if (!parcelType::onParabola(motion_, state, o, tau, end))
+        if (!stepToFace::onParabola(motion_, state, o, tau, end))
         {
             f.over = true;
             return;
@@ -166,7 +166,7 @@ void Foam::BlockMotion<CloudType, Force>::follow(const int i)
     x = x + end.x;
     if (place >= 0)
     {
-        parcelType::ontoFace(cells_, place, moving_, state, o, x, end, t);
+        stepToFace::ontoFace(cells_, place, moving_, state, o, x, end, t);
     }
     impact::motionBlock::set(block_.now.x, i, x);
     auto& statistics = cloud_.statistics();
@@ -204,7 +204,7 @@ void Foam::BlockMotion<CloudType, Force>::follow(const int i)
     block_.hTry[i] = hTry;
     f.over =
         f.begin >= 1 || f.stalls > 10
-     || f.nForces > parcelType::maxForces - 2*parcelType::kept;
+     || f.nForces > stepToFace::maxForces - 2*stepToFace::kept;
     if (f.over)
     {
         statistics.mostForces =
@@ -233,7 +233,7 @@ void Foam::BlockMotion<CloudType, Force>::advance(const int n)
     );
     for (int i = 0; i < n; ++i)
     {
-        block_.hMax[i] = parcelType::longestStep
+        block_.hMax[i] = stepToFace::longest
         (
             left[i], exit[i], block_.now.gas[i]->length,
             impact::mag(impact::motionBlock::of(block_.now.v, i)),

@@ -1,0 +1,387 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "ParcelMotion.H"
+#include "curvedPath.H"
+#include "foamCompat.H"
+#include "meshTools.H"
+#include "tetPlace.H"
+#include "wedgePolyPatch.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class CloudType, class Force>
+typename Foam::ParcelMotion<CloudType, Force>::State
+Foam::ParcelMotion<CloudType, Force>::now() const
+{
+    State state;
+    state.x = impact::vector3{0, 0, 0};
+    state.v = toCore(p_.U());
+    state.omega = toCore(p_.omega());
+    if constexpr (heated)
+    {
+        state.h = force_.heat().material().h(p_.temperature());
+    }
+    return state;
+}
+
+
+template<class CloudType, class Force>
+const Foam::cellGas::field&
+Foam::ParcelMotion<CloudType, Force>::placeForce()
+{
+    if (Force::places)
+    {
+        tetPlace::put(p_, cells_, x_, cell_, -1);
+    }
+    const cellGas::field& gas = cloud_.gas().at(cell_, store_);
+    force_.place(gas, x_);
+    return gas;
+}
+
+
+template<class CloudType, class Force>
+typename Foam::ParcelMotion<CloudType, Force>::outcome
+Foam::ParcelMotion<CloudType, Force>::step(const State& begin)
+{
+    const cellGas::field& gas = placeForce();
+    label ahead = -1;
+    const scalar exit = cells_.exitTime
+    (
+        cell_, x_, impact::multiply(moving_, begin.v), remaining(), ahead
+    );
+    const scalar gasSpeed = impact::mag(force_.here().u);
+    const outcome o = cloud_.embedded().step
+    (
+        force_,
+        begin,
+        gasSpeed,
+        impact::mag(force_.here().spin),
+        stepToFace::longest
+        (
+            remaining(), exit, gas.length, mag(p_.U()), gasSpeed
+        ),
+        hTry_,
+        max(left_ - stepToFace::kept, label(3))
+    );
+    left_ -= o.nForce;
+    hTry_ = o.hNext;
+    auto& statistics = cloud_.statistics();
+    ++statistics.nSteps;
+    statistics.nForces += o.nForce;
+    statistics.nForced += o.forced;
+    return o;
+}
+
+
+template<class CloudType, class Force>
+typename Foam::ParcelMotion<CloudType, Force>::State
+Foam::ParcelMotion<CloudType, Force>::again
+(
+    const State& begin,
+    const bool forced,
+    scalar& t
+)
+{
+    const outcome o = cloud_.embedded().step
+    (
+        force_,
+        begin,
+        impact::mag(force_.here().u),
+        impact::mag(force_.here().spin),
+        t,
+        t,
+        max(left_ - stepToFace::kept, label(3))
+    );
+    left_ -= o.nForce;
+    hTry_ = o.hNext;
+    cloud_.statistics().nForces += o.nForce;
+    cloud_.statistics().nForced += o.forced && !forced;
+    t = o.h;
+    return o.state;
+}
+
+
+template<class CloudType, class Force>
+typename Foam::ParcelMotion<CloudType, Force>::arrival
+Foam::ParcelMotion<CloudType, Force>::follow
+(
+    const State& begin,
+    const outcome& o
+)
+{
+    const curvedPath path
+    (
+        x_,
+        impact::multiply(moving_, o.state.x),
+        o.h*impact::multiply(moving_, begin.v),
+        o.h*impact::multiply(moving_, o.state.v)
+    );
+    arrival a;
+    a.place = -1;
+    const scalar tau = path.exit(cells_, cell_, 0, 1, a.place);
+    a.t = tau*o.h;
+    a.state = o.state;
+    a.state.x = path(tau);
+    if (tau < 1)
+    {
+        // A parabola where that is accurate, another step where not
+        if
+        (
+           !stepToFace::onParabola(cloud_.embedded(), begin, o, tau, a.state)
+        )
+        {
+            a.state = again(begin, o.forced, a.t);
+        }
+        if (a.t < tau*o.h)
+        {
+            a.place = -1;
+        }
+        a.state.x = impact::multiply(moving_, a.state.x);
+    }
+    force_.done();
+    x_ = x_ + a.state.x;
+    if (a.place >= 0)
+    {
+        stepToFace::ontoFace
+            (cells_, a.place, moving_, begin, o, x_, a.state, a.t);
+    }
+    return a;
+}
+
+
+template<class CloudType, class Force>
+void Foam::ParcelMotion<CloudType, Force>::become
+(
+    const State& end,
+    const scalar k,
+    const scalar t,
+    const scalar acting
+)
+{
+    const vector U0 = p_.U();
+    const vector omega0 = p_.omega();
+    p_.U() = fromCore(end.v);
+    meshTools::constrainDirection
+        (cells_.mesh(), cells_.mesh().solutionD(), p_.U());
+    p_.omega() = fromCore(end.omega);
+    scalar heat = 0;
+    if constexpr (heated)
+    {
+        const scalar T0 = p_.temperature();
+        p_.temperature() = force_.heat().material().T(end.h);
+        heat = p_.takeHeat(cloud_, force_.heat(), T0, k, t);
+    }
+    if (cloud_.solution().coupled())
+    {
+        const scalar mass = p_.mass();
+        p_.giveToGas
+        (
+            cloud_, force_.massEff(mass), U0, omega0,
+            acting*force_.external(mass, p_.rho()), heat, true
+        );
+    }
+}
+
+
+template<class CloudType, class Force>
+bool Foam::ParcelMotion<CloudType, Force>::stuck
+(
+    const scalar t,
+    const label patchi
+)
+{
+    stalls_ = t < 1e-9*trackTime_ ? stalls_ + 1 : 0;
+
+    // Near the axis a wedge is met again and again on a straight way
+    hits_ +=
+        patchi >= 0
+     && !isA<wedgePolyPatch>(cells_.mesh().boundaryMesh()[patchi]);
+    if (stalls_ <= 20 && hits_ <= 50)
+    {
+        return false;
+    }
+    stalls_ = 0;
+    hits_ = 0;
+    return true;
+}
+
+
+template<class CloudType, class Force>
+Foam::scalar Foam::ParcelMotion<CloudType, Force>::rest()
+{
+    const scalar pause = min(remaining(), 0.1*trackTime_);
+    placeForce();
+    State state = now();
+    const auto rate = force_(state);
+    force_.done();
+    --left_;
+    ++cloud_.statistics().nForces;
+    ++cloud_.statistics().nPauses;
+    const scalar acting = pause/(1 + pause*rate.k);
+    state.v = state.v + acting*rate.a;
+    state.omega = state.omega + pause/(1 + pause*rate.kSpin)*rate.alpha;
+    if constexpr (heated)
+    {
+        state.h += pause/(1 + pause*rate.kHeat)*rate.hDot;
+    }
+    become(state, heatRelaxation(rate), pause, acting);
+    p_.stepFraction() =
+        pause < remaining() ? p_.stepFraction() + pause/trackTime_ : 1;
+    return pause;
+}
+
+
+template<class CloudType, class Force>
+bool Foam::ParcelMotion<CloudType, Force>::tell
+(
+    const impact::vector3& start,
+    const scalar t,
+    const label place,
+    const bool between
+)
+{
+    tetPlace::put(p_, cells_, x_, cell_, between ? -1 : place);
+    if (p_.onFace())
+    {
+        foamCompat::postFace(cloud_.functions(), p_, td_);
+    }
+    foamCompat::postMove(cloud_.functions(), p_, t, fromCore(start), td_);
+    return td_.keepParticle;
+}
+
+
+template<class CloudType, class Force>
+void Foam::ParcelMotion<CloudType, Force>::enter
+(
+    const label celli,
+    const label place,
+    const bool between
+)
+{
+    // Some tetrahedron of the next cell, for whoever asks
+    cell_ = celli;
+    p_.cell() = cells_.meshCell(celli);
+    if (!between)
+    {
+        p_.tetFace() = cells_.meshFace(place);
+        p_.tetPt() = 1;
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+template<class CloudType, class Force>
+Foam::ParcelMotion<CloudType, Force>::ParcelMotion
+(
+    CloudType& cloud,
+    trackingData& td,
+    Force& force,
+    parcelType& p,
+    const scalar trackTime
+)
+:
+    cloud_(cloud),
+    td_(td),
+    force_(force),
+    p_(p),
+    trackTime_(trackTime),
+    cells_(cloud.cells()),
+    moving_(toCore(cells_.moving())),
+    watched_(cloud.watched()),
+    x_{0, 0, 0},
+    cell_(-1),
+    left_(stepToFace::maxForces - p.inFlight().nForces),
+    stalls_(0),
+    hits_(0),
+    hTry_(p.inFlight().hTry)
+{
+    auto& flight = p.inFlight();
+    p.locate(cells_, x_, cell_);
+    if (flight.begun > 0)
+    {
+        p.stepFraction() = flight.begun;
+    }
+    flight = typename parcelType::flight();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+template<class CloudType, class Force>
+bool Foam::ParcelMotion<CloudType, Force>::move()
+{
+    td_.switchProcessor = false;
+    td_.keepParticle = true;
+    force_.parcel(p_, td_);
+    scalar& mostForces = cloud_.statistics().mostForces;
+
+    while (td_.keepParticle && !td_.switchProcessor && p_.stepFraction() < 1)
+    {
+        if (!p_.active())
+        {
+            p_.stepFraction() = 1;
+            p_.age() += trackTime_;
+            break;
+        }
+
+        const impact::vector3 start = x_;
+        const State begin = now();
+        const outcome o = step(begin);
+        const arrival a = follow(begin, o);
+        become(a.state, heatRelaxation(o), a.t, a.t);
+        p_.stepFraction() =
+            a.place >= 0 || a.t < remaining()
+          ? min(p_.stepFraction() + a.t/trackTime_, 1.0)
+          : 1;
+
+        // Another part of the mesh cell, another mesh cell, or the boundary
+        const label next = a.place < 0 ? cell_ : cells_.behind(a.place, x_);
+        const bool between = a.place >= 0 && cells_.meshFace(a.place) < 0;
+        const bool bounded = a.place >= 0 && next < 0;
+        const label patchi =
+            bounded ? cells_.boundary()[-1 - next].patch : -1;
+        const scalar t = stuck(a.t, patchi) ? a.t + rest() : a.t;
+        p_.age() += t;
+        if ((watched_ || bounded) && !tell(start, t, a.place, between))
+        {
+            break;
+        }
+
+        if (bounded)
+        {
+            p_.hitFace(fromCore(x_ - start), cloud_, td_);
+            if (td_.keepParticle && !td_.switchProcessor)
+            {
+                p_.locate(cells_, x_, cell_);
+            }
+        }
+        else if (a.place >= 0)
+        {
+            enter(next, a.place, between);
+        }
+        if (a.place >= 0)
+        {
+            // Nothing is carried from cell to cell, so that a face between two
+            // ranks is like any other
+            mostForces =
+                max(mostForces, scalar(stepToFace::maxForces - left_));
+            left_ = stepToFace::maxForces;
+            hTry_ = GREAT;
+        }
+    }
+    mostForces = max(mostForces, scalar(stepToFace::maxForces - left_));
+
+    if (td_.keepParticle && !td_.switchProcessor && p_.stepFraction() >= 1)
+    {
+        p_.inFlight().x = x_;
+        p_.inFlight().cell = cell_;
+        if (watched_)
+        {
+            p_.land(cells_);
+        }
+    }
+    return td_.keepParticle;
+}
