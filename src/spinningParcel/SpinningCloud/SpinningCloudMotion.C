@@ -7,6 +7,8 @@
 #include "MagnusForce.H"
 #include "meshTools.H"
 #include "NoDispersion.H"
+#include "SphereDragForce.H"
+#include "sphereDrag.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -97,6 +99,48 @@ void Foam::SpinningCloud<CloudType>::updateCurl()
 
 
 template<class CloudType>
+typename Foam::SpinningCloud<CloudType>::coreForces
+Foam::SpinningCloud<CloudType>::coreForcesOf() const
+{
+    typedef CoreDragForce<kinematicCloudType> dragType;
+    static const impact::sphereDrag stockDrag;
+
+    coreForces core;
+    core.all = torque_->standard() || !torque_->active();
+    for (const auto& force : this->forces())
+    {
+        if (isA<MagnusForce<kinematicCloudType>>(force))
+        {
+            core.magnus = true;
+            continue;
+        }
+        if (isA<GravityForce<kinematicCloudType>>(force))
+        {
+            core.gravity = true;
+            continue;
+        }
+        const dragType* law = dynamic_cast<const dragType*>(&force);
+        const bool first = !core.drag;
+        if (first && law)
+        {
+            core.gas = law->gas();
+            if (law->uniformGas())
+            {
+                core.drag = &law->drag();
+                core.gammaR = law->gammaR();
+            }
+        }
+        else if (first && isA<SphereDragForce<kinematicCloudType>>(force))
+        {
+            core.drag = &stockDrag;
+        }
+        core.all = core.all && first && core.drag;
+    }
+    return core;
+}
+
+
+template<class CloudType>
 void Foam::SpinningCloud<CloudType>::prepareMotion()
 {
     if (!embedded_.valid())
@@ -104,35 +148,8 @@ void Foam::SpinningCloud<CloudType>::prepareMotion()
         return;
     }
 
-    typedef CoreDragForce<kinematicCloudType> dragType;
-    const dragType* drag = nullptr;
-    bool magnus = false;
-    bool gravity = false;
-    bool core = torque_->standard() || !torque_->active();
-    for (const auto& force : this->forces())
-    {
-        const dragType* law = dynamic_cast<const dragType*>(&force);
-        if (law && !drag)
-        {
-            drag = law;
-            core = core && drag->uniformGas();
-        }
-        else if (isA<MagnusForce<kinematicCloudType>>(force))
-        {
-            magnus = true;
-        }
-        else if (isA<GravityForce<kinematicCloudType>>(force))
-        {
-            gravity = true;
-        }
-        else
-        {
-            core = false;
-        }
-    }
-
-    const fluidThermo* thermo =
-        heat_.valid() ? &heat_->thermo() : drag ? drag->gas() : nullptr;
+    const coreForces core = coreForcesOf();
+    const fluidThermo* thermo = heat_.valid() ? &heat_->thermo() : core.gas;
     const volScalarField* T = thermo ? &thermo->T() : nullptr;
     gas_->update(this->U(), halfCurl_, this->rho(), this->mu(), T);
 
@@ -152,16 +169,16 @@ void Foam::SpinningCloud<CloudType>::prepareMotion()
     listedForce_.clear();
     heatedCoreForce_.clear();
     heatedListedForce_.clear();
-    const spinningListedForce<spinningCloudType> listed(*this, magnus);
+    const spinningListedForce<spinningCloudType> listed(*this, core.magnus);
     const spinningCoreForce coreForce
     (
         impact::sphereForces
         (
-            core && drag ? &drag->drag() : nullptr,
-            core && drag ? drag->gammaR() : 1,
-            magnus && rotation_,
+            core.all ? core.drag : nullptr,
+            core.gammaR,
+            core.magnus && rotation_,
             torque_->active() && rotation_,
-            toCore(gravity ? this->g().value() : vector::zero),
+            toCore(core.gravity ? this->g().value() : vector::zero),
             counts_
         ),
         this->mesh()
@@ -170,7 +187,7 @@ void Foam::SpinningCloud<CloudType>::prepareMotion()
     {
         heat_->update();
         const impact::sphereHeat sphere(heat_->sphere());
-        if (core)
+        if (core.all)
         {
             heatedCoreForce_.reset
             (
@@ -188,7 +205,7 @@ void Foam::SpinningCloud<CloudType>::prepareMotion()
             );
         }
     }
-    else if (core)
+    else if (core.all)
     {
         coreForce_.reset(new spinningCoreForce(coreForce));
     }

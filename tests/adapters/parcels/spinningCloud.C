@@ -15,11 +15,13 @@ Description
 #include "dragLaw.H"
 #include "fluidThermo.H"
 #include "parcelClouds.H"
+#include "sphereDrag.H"
 #include "wallCounters.H"
 #include "wallImpacts.H"
 #include "wallLayer.H"
 
 #include <gtest/gtest.h>
+#include <array>
 #include <cstdlib>
 #include <memory>
 #include <vector>
@@ -286,34 +288,65 @@ TEST_F(spinningCloudTest, coreAndListedForcesAgree)
 {
     open(100, 2e4, 3e4);
     g_ = dimensionedVector("g", dimAcceleration, vector(0, -1e5, 0));
-    const std::string common
-    (
-        embedded + single("2e-6", "(600 50 0)")
-      + "constantProperties{omega0 (0 0 1e6);}"
-        "subModels{particleForces{gravity;}}"
-    );
-    const auto core = make(common, "core");
-    // A force that is nowhere to be felt, but not of the core
-    const auto listed = make
-    (
-        common
-      + "subModels{particleForces{nonInertialFrame{}}}",
-        "listed"
-    );
-    for (int i = 0; i < 10; ++i)
+
+    // Reynolds numbers of the relative motion up to 70 and, for sphereDrag on
+    // both sides of 1000, up to 1700
+    for (const auto& c : std::vector<std::array<const char*, 2>>
+        {{"hendersonDrag", "2e-6"}, {"sphereDrag", "2e-6"},
+         {"sphereDrag", "5e-5"}})
     {
-        (*time_)++;
-        core->evolve();
-        listed->evolve();
-        ASSERT_TRUE(isCore(*core));
-        ASSERT_FALSE(isCore(*listed));
+        const std::string forces(std::string(c[0]) + ";magnus;gravity;");
+        const std::string common
+        (
+            embedded + single(c[1], "(600 50 0)")
+          + "constantProperties{omega0 (0 0 1e6);}"
+        );
+        const word name(std::string(c[0]) + c[1]);
+        const auto core = make(common, name + "Core", forces);
+        // A force that is nowhere to be felt, but not of the core
+        const auto listed =
+            make(common, name + "Listed", forces + "nonInertialFrame{}");
+        for (int i = 0; i < 10; ++i)
+        {
+            (*time_)++;
+            core->evolve();
+            listed->evolve();
+            ASSERT_TRUE(isCore(*core));
+            ASSERT_FALSE(isCore(*listed));
+        }
+        const auto& p = *core->first();
+        const auto& q = *listed->first();
+        EXPECT_LT(mag(p.position() - q.position()), 1e-9*mag(p.U())*1e-5);
+        EXPECT_LT(mag(p.U() - q.U()), 1e-9*mag(p.U()));
+        EXPECT_LT(mag(p.omega() - q.omega()), 1e-9*mag(p.omega()));
+        EXPECT_GT(mag(p.U() - vector(600, 50, 0)), 0.1);
     }
-    const auto& p = *core->first();
-    const auto& q = *listed->first();
-    EXPECT_LT(mag(p.position() - q.position()), 1e-9*mag(p.U())*1e-5);
-    EXPECT_LT(mag(p.U() - q.U()), 1e-9*mag(p.U()));
-    EXPECT_LT(mag(p.omega() - q.omega()), 1e-9*mag(p.omega()));
-    EXPECT_GT(mag(p.U() - vector(600, 50, 0)), 1);
+}
+
+
+TEST_F(spinningCloudTest, sphereDragOfTheCoreIsThatOfStock)
+{
+    open();
+    const auto cloud = make
+    (
+        "solution{interpolationSchemes{rho cell;U cell;thermo:mu cell;}}",
+        "sand", "sphereDrag;"
+    );
+    typename basicSpinningCloud::parcelType::trackingData td(*cloud);
+    basicSpinningCloud::parcelType p(mesh_(), mesh_->C()[0], 0);
+    p.d() = 1e-5;
+    p.rho() = 2500;
+    for (const scalar Re : {0., 1e-9, 0.3, 12., 700., 999.999, 1000.001, 4e5})
+    {
+        const forceSuSp F = cloud->forces().begin()->calcCoupled
+        (
+            p, td, 1e-6, p.mass(), Re, mu_()[0]
+        );
+        const scalar k =
+            impact::sphereForces::dragScale(p.d(), p.rho())*mu_()[0]
+           *impact::sphereDrag().of(Re, 0, 1);
+        EXPECT_NEAR(F.Sp()/(p.mass()*k), 1, 1e-14) << Re;
+    }
 }
 
 
@@ -433,7 +466,7 @@ TEST_F(spinningCloudTest, spendsAtMostItsForcesBetweenFaces)
     EXPECT_GT(s.nForced, 0);
     EXPECT_GT(s.nSteps, 0);
     // Each parcel crosses at most the 50 + 20 cells of a way through
-    EXPECT_LE(s.nForces, 7*basicSpinningCloud::parcelType::maxForces*150);
+    EXPECT_LE(s.nForces, 7*stepToFace::maxForces*150);
 }
 
 
