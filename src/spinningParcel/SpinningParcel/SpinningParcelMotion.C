@@ -29,6 +29,7 @@ void Foam::SpinningParcel<ParcelType>::place::restore(particle& p) const
     p.tetPt() = tetPt;
     p.face() = face;
     p.stepFraction() = stepFraction;
+    foamCompat::forgetTrack(p);
 }
 
 

@@ -195,6 +195,7 @@ void Foam::EventDrivenCollisions<CloudType>::collect()
     {
         const bool injected = n++ >= nParcels_;
         p.stepFraction() = 0;
+        foamCompat::forgetTrack(p);
         if (p.active())
         {
             checkNumber(p);

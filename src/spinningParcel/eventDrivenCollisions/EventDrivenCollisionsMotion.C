@@ -215,6 +215,7 @@ bool Foam::EventDrivenCollisions<CloudType>::arrive(flight& f, mission& m)
         if (!m.settling)
         {
             p.stepFraction() = 0;
+            foamCompat::forgetTrack(p);
         }
     }
     if (!m.settling)
