@@ -178,6 +178,133 @@ void Foam::freeStream::checkWeight
 }
 
 
+void Foam::freeStream::addInflows
+(
+    const dictionary& inflows,
+    const wordList& names,
+    const scalar weight,
+    const volScalarField* boundaryT,
+    const volVectorField* boundaryU,
+    boolList& taken
+)
+{
+    const polyBoundaryMesh& patches = cells_.mesh().boundaryMesh();
+    for (const entry& e : inflows)
+    {
+        const dictionary& gas = inflows.subDict(e.keyword());
+        refuseOthers(gas, {"numberDensities", "temperature", "velocity"});
+        for
+        (
+            const label patchi
+          : openPatches(inflows, "inflows", wordRe(e.keyword()))
+        )
+        {
+            if (taken[patchi])
+            {
+                FatalIOErrorInFunction(inflows)
+                    << "Entry " << e.keyword() << " is the second that matches"
+                    << " patch " << patches[patchi].name() << nl
+                    << "Valid: one gas behind each patch"
+                    << exit(FatalIOError);
+            }
+            taken[patchi] = true;
+
+            const bool hasT = gas.found("temperature");
+            const bool hasU = gas.found("velocity");
+            if (!hasT || !hasU)
+            {
+                needBoundaryFields(gas, boundaryT, boundaryU);
+            }
+            const label n = patches[patchi].size();
+            const scalarField T
+            (
+                hasT
+              ? scalarField
+                (
+                    n, getNumber(gas, "temperature", validRange::temperature)
+                )
+              : scalarField(boundaryT->boundaryField()[patchi])
+            );
+            const vectorField U
+            (
+                hasU
+              ? vectorField
+                (
+                    n, getComponents(gas, "velocity", validRange::velocity)
+                )
+              : vectorField(boundaryU->boundaryField()[patchi])
+            );
+            addPatch
+            (
+                gas, patchi, gas.subDict("numberDensities"), names, weight, T, U
+            );
+        }
+    }
+}
+
+
+Foam::labelList Foam::freeStream::stockPatches
+(
+    const dictionary& coeffs,
+    const boolList& taken
+) const
+{
+    const polyBoundaryMesh& patches = cells_.mesh().boundaryMesh();
+    labelList stock;
+    if (!coeffs.found("patches"))
+    {
+        forAll(patches, patchi)
+        {
+            if (isType<polyPatch>(patches[patchi]) && !taken[patchi])
+            {
+                stock.append(patchi);
+            }
+        }
+        return stock;
+    }
+    for (const wordRe& expression : coeffs.get<wordRes>("patches"))
+    {
+        for
+        (
+            const label patchi : openPatches(coeffs, "patches", expression)
+        )
+        {
+            if (taken[patchi])
+            {
+                FatalIOErrorInFunction(coeffs)
+                    << "Entry patches holds " << expression
+                    << ", which matches patch " << patches[patchi].name()
+                    << " of inflows" << nl
+                    << "Valid: one gas behind each patch"
+                    << exit(FatalIOError);
+            }
+            if (!stock.found(patchi))
+            {
+                stock.append(patchi);
+            }
+        }
+    }
+    return stock;
+}
+
+
+void Foam::freeStream::needBoundaryFields
+(
+    const dictionary& dict,
+    const volScalarField* boundaryT,
+    const volVectorField* boundaryU
+) const
+{
+    if (!boundaryT || !boundaryU)
+    {
+        FatalIOErrorInFunction(dict)
+            << "InflowBoundaryModel FreeStream needs the fields boundaryT"
+            << " and boundaryU in " << cells_.mesh().time().timePath()
+            << exit(FatalIOError);
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::freeStream::freeStream
@@ -214,119 +341,21 @@ Foam::freeStream::freeStream
       : wordList{"numberDensities", "inflows"}
     );
 
-    const auto boundaryFieldsNeeded = [&](const dictionary& d)
+    // Gases of their own, then that of the stock model behind the others
+    boolList taken(cells.mesh().boundaryMesh().size(), false);
+    addInflows(inflows, names, weight, boundaryT, boundaryU, taken);
+    if (ofStock)
     {
-        if (!boundaryT || !boundaryU)
+        needBoundaryFields(dict, boundaryT, boundaryU);
+        for (const label patchi : stockPatches(coeffs, taken))
         {
-            FatalIOErrorInFunction(d)
-                << "InflowBoundaryModel FreeStream needs the fields boundaryT"
-                << " and boundaryU in " << cells.mesh().time().timePath()
-                << exit(FatalIOError);
-        }
-    };
-
-    // Gases of their own, in the order of the patches
-    const polyBoundaryMesh& patches = cells.mesh().boundaryMesh();
-    List<const dictionary*> own(patches.size(), nullptr);
-    for (const entry& e : inflows)
-    {
-        const dictionary& gas = inflows.subDict(e.keyword());
-        refuseOthers(gas, {"numberDensities", "temperature", "velocity"});
-        for
-        (
-            const label patchi
-          : openPatches(inflows, "inflows", wordRe(e.keyword()))
-        )
-        {
-            if (own[patchi])
-            {
-                FatalIOErrorInFunction(inflows)
-                    << "Entry " << e.keyword() << " is the second that matches"
-                    << " patch " << patches[patchi].name() << nl
-                    << "Valid: one gas behind each patch"
-                    << exit(FatalIOError);
-            }
-            own[patchi] = &gas;
-
-            const label n = patches[patchi].size();
-            scalarField T(n);
-            vectorField U(n);
-            if (gas.found("temperature"))
-            {
-                T = getNumber(gas, "temperature", validRange::temperature);
-            }
-            else
-            {
-                boundaryFieldsNeeded(gas);
-                T = boundaryT->boundaryField()[patchi];
-            }
-            if (gas.found("velocity"))
-            {
-                U = getComponents(gas, "velocity", validRange::velocity);
-            }
-            else
-            {
-                boundaryFieldsNeeded(gas);
-                U = boundaryU->boundaryField()[patchi];
-            }
             addPatch
             (
-                gas, patchi, gas.subDict("numberDensities"), names, weight, T, U
+                dict, patchi, coeffs.subDict("numberDensities"), names, weight,
+                boundaryT->boundaryField()[patchi],
+                boundaryU->boundaryField()[patchi]
             );
         }
-    }
-    if (!ofStock)
-    {
-        checkWeight(dict, weight);
-        return;
-    }
-
-    // The gas of the stock model, behind the others
-    boundaryFieldsNeeded(dict);
-    labelList stock;
-    if (coeffs.found("patches"))
-    {
-        for (const wordRe& expression : coeffs.get<wordRes>("patches"))
-        {
-            for
-            (
-                const label patchi : openPatches(coeffs, "patches", expression)
-            )
-            {
-                if (own[patchi])
-                {
-                    FatalIOErrorInFunction(coeffs)
-                        << "Entry patches holds " << expression
-                        << ", which matches patch " << patches[patchi].name()
-                        << " of inflows" << nl
-                        << "Valid: one gas behind each patch"
-                        << exit(FatalIOError);
-                }
-                if (!stock.found(patchi))
-                {
-                    stock.append(patchi);
-                }
-            }
-        }
-    }
-    else
-    {
-        forAll(patches, patchi)
-        {
-            if (isType<polyPatch>(patches[patchi]) && !own[patchi])
-            {
-                stock.append(patchi);
-            }
-        }
-    }
-    for (const label patchi : stock)
-    {
-        addPatch
-        (
-            dict, patchi, coeffs.subDict("numberDensities"), names, weight,
-            boundaryT->boundaryField()[patchi],
-            boundaryU->boundaryField()[patchi]
-        );
     }
     checkWeight(dict, weight);
 }

@@ -180,10 +180,102 @@ impact::vector3 Foam::solidInflow::pointIn
 }
 
 
-void Foam::solidInflow::readInflows()
+Foam::solidInflow::inflow Foam::solidInflow::readInflow
+(
+    const dictionary& d
+) const
+{
+    refuseOthers
+    (
+        d,
+        {
+            "massFlow", "massLoading", "velocity", "temperature",
+            "simulatorsPerStep"
+        }
+    );
+    if (d.found("massFlow") == d.found("massLoading"))
+    {
+        FatalIOErrorInFunction(d)
+            << "Valid: one of the entries massFlow and massLoading"
+            << exit(FatalIOError);
+    }
+    inflow in;
+    in.loading = d.found("massLoading");
+    in.amount =
+        in.loading
+      ? getNumber(d, "massLoading", "(0, 1e9]")
+      : getNumber(d, "massFlow", "(0, 1e12] kg/s");
+    in.ofGasU = ofGas(d, "velocity");
+    in.ofGasT = ofGas(d, "temperature");
+    in.U =
+        in.ofGasU
+      ? vector(Zero) : getComponents(d, "velocity", validRange::velocity);
+    in.T =
+        in.ofGasT ? 0 : getNumber(d, "temperature", validRange::temperature);
+    return in;
+}
+
+
+void Foam::solidInflow::addPatch
+(
+    const dictionary& d,
+    const inflow& in,
+    const polyPatch& patch
+)
 {
     const polyMesh& mesh = cells_.mesh();
-    const polyBoundaryMesh& patches = mesh.boundaryMesh();
+    const auto outside =
+        gas_.inflow().outside(patch.index(), gas_.weight());
+    const scalar area = gSum(mag(patch.faceAreas()));
+    source s;
+    scalar sum = 0;
+    forAll(patch, j)
+    {
+        const scalar a = mag(patch.faceAreas()[j]);
+        const vector n = -patch.faceAreas()[j]/a;
+        const auto& gas = outside[j];
+        if ((in.loading || in.ofGasU || in.ofGasT) && !(gas.massFlux > 0))
+        {
+            FatalIOErrorInFunction(d)
+                << "Particles take their flux, velocity or temperature"
+                << " from the gas outside patch " << patch.name()
+                << ", whose mass flux is " << gas.massFlux
+                << " kg/(m^2 s)" << nl
+                << "Valid: an inflow of gas (dsmcProperties)"
+                << exit(FatalIOError);
+        }
+        s.velocity.push_back(in.ofGasU ? gas.velocity : in.U);
+        s.temperature.push_back(in.ofGasT ? gas.temperature : in.T);
+        if (!((s.velocity.back() & n) > 0))
+        {
+            refuse
+            (
+                d, "velocity", s.velocity.back(),
+                "a velocity into the domain, along ", n,
+                " on patch ", patch.name()
+            );
+        }
+        sum += in.loading ? in.amount*gas.massFlux*a : in.amount*a/area;
+        s.flow.push_back(sum);
+        s.faces.push_back
+        (
+            patch.start() + j - mesh.nInternalFaces()
+        );
+    }
+    const scalar all = returnReduce(sum, sumOp<scalar>());
+    s.number = realPerSimulator
+    (
+        d, "simulatorsPerStep", all*mesh.time().deltaTValue()
+    );
+    sources_.push_back(s);
+    Info<< "    through " << patch.name() << ": " << all << " kg/s"
+        << nl;
+}
+
+
+void Foam::solidInflow::readInflows()
+{
+    const polyBoundaryMesh& patches = cells_.mesh().boundaryMesh();
     if (dict_.found("realPerSimulator"))
     {
         // Refused if it is no number, also where nothing needs it
@@ -204,35 +296,7 @@ void Foam::solidInflow::readInflows()
     for (const entry& e : inflows)
     {
         const dictionary& d = inflows.subDict(e.keyword());
-        refuseOthers
-        (
-            d,
-            {
-                "massFlow", "massLoading", "velocity", "temperature",
-                "simulatorsPerStep"
-            }
-        );
-        if (d.found("massFlow") == d.found("massLoading"))
-        {
-            FatalIOErrorInFunction(d)
-                << "Valid: one of the entries massFlow and massLoading"
-                << exit(FatalIOError);
-        }
-        const bool loading = d.found("massLoading");
-        const scalar amount =
-            loading
-          ? getNumber(d, "massLoading", "(0, 1e9]")
-          : getNumber(d, "massFlow", "(0, 1e12] kg/s");
-        const bool gasU = ofGas(d, "velocity");
-        const bool gasT = ofGas(d, "temperature");
-        const vector U
-        (
-            gasU
-          ? vector(Zero) : getComponents(d, "velocity", validRange::velocity)
-        );
-        const scalar T =
-            gasT ? 0 : getNumber(d, "temperature", validRange::temperature);
-
+        const inflow in(readInflow(d));
         bool found = false;
         forAll(patches, patchi)
         {
@@ -259,51 +323,7 @@ void Foam::solidInflow::readInflows()
             }
             taken[patchi] = true;
 
-            const auto outside = gas_.inflow().outside(patchi, gas_.weight());
-            const scalar area = gSum(mag(patch.faceAreas()));
-            source s;
-            scalar sum = 0;
-            forAll(patch, j)
-            {
-                const scalar a = mag(patch.faceAreas()[j]);
-                const vector n = -patch.faceAreas()[j]/a;
-                const auto& gas = outside[j];
-                if ((loading || gasU || gasT) && !(gas.massFlux > 0))
-                {
-                    FatalIOErrorInFunction(d)
-                        << "Particles take their flux, velocity or temperature"
-                        << " from the gas outside patch " << patch.name()
-                        << ", whose mass flux is " << gas.massFlux
-                        << " kg/(m^2 s)" << nl
-                        << "Valid: an inflow of gas (dsmcProperties)"
-                        << exit(FatalIOError);
-                }
-                s.velocity.push_back(gasU ? gas.velocity : U);
-                s.temperature.push_back(gasT ? gas.temperature : T);
-                if (!((s.velocity.back() & n) > 0))
-                {
-                    refuse
-                    (
-                        d, "velocity", s.velocity.back(),
-                        "a velocity into the domain, along ", n,
-                        " on patch ", patch.name()
-                    );
-                }
-                sum += loading ? amount*gas.massFlux*a : amount*a/area;
-                s.flow.push_back(sum);
-                s.faces.push_back
-                (
-                    patch.start() + j - mesh.nInternalFaces()
-                );
-            }
-            const scalar all = returnReduce(sum, sumOp<scalar>());
-            s.number = realPerSimulator
-            (
-                d, "simulatorsPerStep", all*mesh.time().deltaTValue()
-            );
-            sources_.push_back(s);
-            Info<< "    through " << patch.name() << ": " << all << " kg/s"
-                << nl;
+            addPatch(d, in, patch);
         }
         if (!found)
         {

@@ -1,0 +1,358 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "dsmcGas.H"
+#include "checked.H"
+#include "lagrangianFile.H"
+#include "maxwellian.H"
+#include "presentFile.H"
+#include "wallPolyPatch.H"
+#include "wordRes.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::dsmcGas::checkEntries() const
+{
+    // Ours, those of the stock program, and its models' coefficients
+    refuseOthers
+    (
+        properties_,
+        {
+            "wallDiffuseFractions", "sampling", "reportEvery", "randomSeed",
+            "nEquivalentParticles", "typeIdList", "moleculeProperties",
+            "BinaryCollisionModel", "WallInteractionModel",
+            "InflowBoundaryModel", "VariableHardSphereCoeffs",
+            "LarsenBorgnakkeVariableHardSphereCoeffs", "NoBinaryCollisionCoeffs",
+            "MixedDiffuseSpecularCoeffs", "MaxwellianThermalCoeffs",
+            "SpecularReflectionCoeffs", "FreeStreamCoeffs",
+            "NoInflowCoeffs"
+        }
+    );
+}
+
+
+void Foam::dsmcGas::readSpecies()
+{
+    weight_ =
+        getNumber(properties_, "nEquivalentParticles", "[1e-30, 1e30]");
+    seed_ = getNumber<label>(properties_, "randomSeed", validRange::seed, 1);
+
+    names_ = properties_.get<wordList>("typeIdList");
+    if (names_.empty())
+    {
+        FatalIOErrorInFunction(properties_)
+            << "Entry typeIdList is empty: name at least one species"
+            << exit(FatalIOError);
+    }
+    const dictionary& all = properties_.subDict("moleculeProperties");
+    forAll(names_, i)
+    {
+        const word& name = names_[i];
+        if (names_.find(name) != i)
+        {
+            refuse(properties_, "typeIdList", name, "a list of different names");
+        }
+        if (!all.isDict(name))
+        {
+            FatalIOErrorInFunction(all)
+                << "Species " << name << " of typeIdList has no"
+                << " sub-dictionary here" << nl
+                << "Species found: " << all.toc() << exit(FatalIOError);
+        }
+        const dictionary& d = all.subDict(name);
+        refuseOthers
+        (
+            d, {"mass", "diameter", "omega", "internalDegreesOfFreedom"}
+        );
+        species_.push_back
+        (
+            {
+                getNumber(d, "mass", "[1e-28, 1e-20] kg, of a molecule"),
+                getNumber(d, "diameter", "[1e-12, 1e-7] m, of a molecule"),
+                d.get<scalar>("omega"),
+                int(d.get<label>("internalDegreesOfFreedom"))
+            }
+        );
+        // One by one, so that a message has the name of the species
+        try
+        {
+            impact::cellCollisions({species_.back()}, 273, 0, 0);
+        }
+        catch (const std::invalid_argument& e)
+        {
+            FatalIOErrorInFunction(d)
+                << "Entry " << e.what() << " (species " << name << ')'
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
+void Foam::dsmcGas::readCollisions()
+{
+    const word model
+    (
+        getWordOf
+        (
+            properties_, "BinaryCollisionModel", "",
+            {"LarsenBorgnakkeVariableHardSphere", "VariableHardSphere", "none"}
+        )
+    );
+    const bool exchange = model == "LarsenBorgnakkeVariableHardSphere";
+    const word exchangeCoeffs("LarsenBorgnakkeVariableHardSphereCoeffs");
+    const word elasticCoeffs("VariableHardSphereCoeffs");
+
+    // Those of the model that is not chosen may stay, but not misspelt
+    refuseOthers(properties_.subOrEmptyDict(elasticCoeffs), {"Tref"});
+    refuseOthers
+    (
+        properties_.subOrEmptyDict(exchangeCoeffs),
+        {"Tref", "relaxationCollisionNumber"}
+    );
+    if (model == "none")
+    {
+        return;
+    }
+    const dictionary& coeffs =
+        properties_.subDict(exchange ? exchangeCoeffs : elasticCoeffs);
+    const scalar Tref = getNumber(coeffs, "Tref", validRange::temperature);
+    referenceTemperature_ = Tref;
+    const scalar Z =
+        exchange
+      ? getNumber(coeffs, "relaxationCollisionNumber", "[1, 1e12]") : 0;
+    checked
+    (
+        coeffs,
+        [&]
+        {
+            collisions_.reset
+            (
+                new impact::cellCollisions(species_, Tref, Z, seed_)
+            );
+            return true;
+        }
+    );
+}
+
+
+void Foam::dsmcGas::readWalls()
+{
+    const auto present = [&](const word& name)
+    {
+        return IOobject
+        (
+            name,
+            mesh_.time().timeName(),
+            mesh_,
+            IOobject::MUST_READ,
+            IOobject::AUTO_WRITE
+        );
+    };
+    IOobject T = present("boundaryT");
+    IOobject U = present("boundaryU");
+    if (isPresent<volScalarField>(T, false))
+    {
+        boundaryT_.reset(new volScalarField(T, mesh_));
+    }
+    if (isPresent<volVectorField>(U, false))
+    {
+        boundaryU_.reset(new volVectorField(U, mesh_));
+    }
+    readDiffuseFractions();
+    checkDiffuseWalls();
+}
+
+
+void Foam::dsmcGas::readDiffuseFractions()
+{
+    const word model
+    (
+        getWordOf
+        (
+            properties_, "WallInteractionModel", "",
+            {"MaxwellianThermal", "MixedDiffuseSpecular", "SpecularReflection"}
+        )
+    );
+    scalar fraction = 0;
+    if (model == "MaxwellianThermal")
+    {
+        fraction = 1;
+    }
+    else if (model == "MixedDiffuseSpecular")
+    {
+        const dictionary& coeffs = properties_.subDict(model + "Coeffs");
+        refuseOthers(coeffs, {"diffuseFraction"});
+        fraction = getNumber(coeffs, "diffuseFraction", validRange::share);
+    }
+
+    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
+    wordList walls;
+    forAll(patches, patchi)
+    {
+        if (isA<wallPolyPatch>(patches[patchi]))
+        {
+            walls.append(patches[patchi].name());
+        }
+    }
+    diffuseFraction_.setSize(patches.size(), 0);
+    forAll(patches, patchi)
+    {
+        if (walls.found(patches[patchi].name()))
+        {
+            diffuseFraction_[patchi] = fraction;
+        }
+    }
+    const dictionary* block = findBlock(properties_, "wallDiffuseFractions");
+    const dictionary own(block ? *block : dictionary());
+    for (const entry& e : own)
+    {
+        const scalar value = getNumber(own, e.keyword(), validRange::share);
+        bool found = false;
+        forAll(patches, patchi)
+        {
+            const word& name = patches[patchi].name();
+            if (walls.found(name) && wordRe(e.keyword()).match(name))
+            {
+                diffuseFraction_[patchi] = value;
+                found = true;
+            }
+        }
+        if (!found)
+        {
+            unknownWord(own, "wall", e.keyword(), walls);
+        }
+    }
+}
+
+
+void Foam::dsmcGas::checkDiffuseWalls() const
+{
+    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
+    forAll(patches, patchi)
+    {
+        if (diffuseFraction_[patchi] == 0)
+        {
+            continue;
+        }
+        const polyPatch& patch = patches[patchi];
+        if (!boundaryT_.valid() || !boundaryU_.valid())
+        {
+            FatalIOErrorInFunction(properties_)
+                << "The diffuse wall " << patch.name() << " needs the fields"
+                << " boundaryT and boundaryU in " << mesh_.time().timePath()
+                << exit(FatalIOError);
+        }
+        const scalarField& wallT = boundaryT_->boundaryField()[patchi];
+        const vectorField& wallU = boundaryU_->boundaryField()[patchi];
+        forAll(patch, i)
+        {
+            if (!within(wallT[i], validRange::temperature))
+            {
+                refuse
+                (
+                    dictionary(boundaryT_->objectPath()),
+                    "boundaryT of the diffuse wall " + patch.name(), wallT[i],
+                    validRange::temperature
+                );
+            }
+            const vector n = normalised(patch.faceAreas()[i]);
+            if
+            (
+                !(cmptMax(cmptMag(wallU[i])) < 3e8)
+             || mag(wallU[i] & n) > 1e-6*mag(wallU[i])
+            )
+            {
+                refuse
+                (
+                    dictionary(boundaryU_->objectPath()),
+                    "boundaryU of the diffuse wall " + patch.name(), wallU[i],
+                    "a velocity along the wall, whose normal is ", n,
+                    ", less than 3e8 m/s"
+                );
+            }
+        }
+    }
+}
+
+
+void Foam::dsmcGas::readMolecules()
+{
+    const bool found = lagrangianFile::read(mesh_, cloudName, molecules_);
+    nStart_ = returnReduce(molecules_.size(), sumOp<label>());
+    if (!returnReduce(found || inflow_->active(), orOp<bool>()))
+    {
+        FatalErrorInFunction
+            << "No molecules in "
+            << mesh_.time().timePath()/"lagrangian"/cloudName
+            << " and no inflow. Run dsmcInitialise first"
+            << exit(FatalError);
+    }
+    for (label i = 0; i < molecules_.size(); ++i)
+    {
+        const label typeId = molecules_.payload().typeId[i];
+        if (typeId < 0 || typeId >= names_.size())
+        {
+            FatalErrorInFunction
+                << "Molecule " << i << " has typeId " << typeId
+                << ". Valid range: 0 <= typeId < " << names_.size()
+                << ", the number of species" << exit(FatalError);
+        }
+    }
+}
+
+
+void Foam::dsmcGas::makeBoxes()
+{
+    boxes_.resize(mesh_.nCells());
+    forAll(mesh_.cells(), celli)
+    {
+        const boundBox box(mesh_.points(), mesh_.cellPoints()[celli], false);
+        for (direction d = 0; d < 3; ++d)
+        {
+            boxes_[celli].corner[d] = box.min()[d];
+            boxes_[celli].perWidth[d] =
+                cells_.moving()[d] == 0 ? 0 : 1/box.span()[d];
+        }
+    }
+}
+
+
+void Foam::dsmcGas::readSampling()
+{
+    reportEvery_ =
+        getNumber<label>(properties_, "reportEvery", validRange::count, 10);
+
+    const dictionary* functions =
+        mesh_.time().controlDict().findDict("functions");
+    if (functions && !functions->empty())
+    {
+        instantaneous_.reset(new gasFields(mesh_, species_, weight_, ""));
+    }
+
+    if (const dictionary* sampling = findBlock(properties_, "sampling"))
+    {
+        refuseOthers(*sampling, {"start", "every"});
+        samplingStart_ =
+            getNumber(*sampling, "start", validRange::time, scalar(0));
+        samplingEvery_ =
+            getNumber<label>(*sampling, "every", validRange::count, 1);
+        means_.reset(new gasFields(mesh_, species_, weight_, "Mean"));
+    }
+}
+
+
+void Foam::dsmcGas::findMaxima()
+{
+    if (!collisions_.valid())
+    {
+        return;
+    }
+
+    // dsmcInitialise starts at the most probable speed
+    const scalar T = stateOfAll().temperature;
+    const scalar start = collisions_->startingSigmaCMax(T > 0 ? T : 300);
+    sigmaTcRMax_.primitiveFieldRef() =
+        max(sigmaTcRMax_.primitiveField(), start);
+    sigmaTcRMax_.correctBoundaryConditions();
+}

@@ -1,0 +1,365 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "solidParticles.H"
+#include "checked.H"
+#include "coreVector.H"
+#include "lagrangianFile.H"
+#include "presentFile.H"
+#include "sizeGroups.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::solidParticles::readGroups()
+{
+    const dictionary& d = properties_.subDict("groups");
+    const word type(getWordOf(d, "type", "", {"list", "lognormal"}));
+    std::vector<impact::sizeGroups::group> sizes;
+    if (type == "list")
+    {
+        refuseOthers(d, {"type", "diameters", "massFractions"});
+        const scalarList diameters
+        (
+            getNumbers(d, "diameters", validRange::diameter)
+        );
+        const scalarList fractions
+        (
+            getNumbers(d, "massFractions", validRange::number)
+        );
+        sizes = checked
+        (
+            d,
+            [&]
+            {
+                return impact::sizeGroups::list
+                (
+                    {diameters.begin(), diameters.end()},
+                    {fractions.begin(), fractions.end()}
+                );
+            }
+        );
+    }
+    else
+    {
+        refuseOthers
+        (
+            d, {"type", "radius", "deviation", "weighting", "classes"}
+        );
+        const word weighting
+        (
+            getWordOf(d, "weighting", "", {"number", "mass"})
+        );
+        const scalar radius = getNumber(d, "radius", validRange::diameter);
+        const scalar deviation = getNumber(d, "deviation", "(1, 100]");
+        const label classes = getNumber<label>(d, "classes", "[1, 100]");
+        sizes = checked
+        (
+            d,
+            [&]
+            {
+                return impact::sizeGroups::lognormal
+                (
+                    radius, deviation,
+                    weighting == "mass"
+                  ? impact::sizeGroups::weighting::mass
+                  : impact::sizeGroups::weighting::number,
+                    classes
+                );
+            }
+        );
+    }
+    for (const auto& size : sizes)
+    {
+        groups_.append({size.diameter, 0, size.massFraction});
+    }
+}
+
+
+void Foam::solidParticles::readExchange()
+{
+    typedef impact::solidExchange law;
+    const dictionary& material = properties_.subDict("material");
+    refuseOthers(material, {"density", "specificHeat"});
+    const law::material m =
+    {
+        getNumber(material, "density", validRange::density),
+        getNumber(material, "specificHeat", "(0, 1e9) J/(kg K)"),
+        getNumber(properties_, "accommodation", validRange::share)
+    };
+    const word mode
+    (
+        getWord(properties_, "exchange", {"perCell", "perCollision", "none"})
+    );
+    const word deflection
+    (
+        getWord(properties_, "deflection", {"exact", "polynomial"})
+    );
+    std::vector<double> diameters;
+    for (const auto& group : groups_)
+    {
+        diameters.push_back(group.diameter);
+    }
+    exchange_ = checked
+    (
+        properties_,
+        [&]
+        {
+            return autoPtr<law>
+            (
+                new law
+                (
+                    gas_.species(), m, diameters,
+                    mode == "perCell" ? law::mode::perCell
+                  : mode == "perCollision" ? law::mode::perCollision
+                  : law::mode::none,
+                    deflection == "exact"
+                  ? impact::sphereReflection::law::exact
+                  : impact::sphereReflection::law::polynomial,
+                    seed_
+                )
+            );
+        }
+    );
+    forAll(groups_, g)
+    {
+        groups_[g].mass = exchange_->sizeOf(g).mass;
+    }
+    readCorrection();
+    if (exchange_->twoWay())
+    {
+        ledger_.resize(mesh_.nCells());
+        readLedger();
+    }
+}
+
+
+void Foam::solidParticles::readCorrection()
+{
+    const word name("knudsenCorrection");
+    if (!properties_.isDict(name))
+    {
+        getWord(properties_, name, {"off"});
+        return;
+    }
+    const dictionary& dict = properties_.subDict(name);
+    refuseOthers(dict, {"drag", "heat", "densityScale"});
+    const auto law = [&]
+    (
+        const word& entry,
+        const std::vector<std::string>& names
+    )
+    {
+        wordList words(names.size());
+        forAll(words, i)
+        {
+            words[i] = names[i];
+        }
+        return getWordOf(dict, entry, "", words);
+    };
+    const word drag(law("drag", impact::knudsenCorrection::dragLaws()));
+    const word heat(law("heat", impact::knudsenCorrection::heatLaws()));
+    const scalar densityScale =
+        getNumber(dict, "densityScale", "(0, 1e12]", scalar(1));
+    if (!(gas_.referenceTemperature() > 0))
+    {
+        FatalIOErrorInFunction(dict)
+            << "A gas without collisions between its molecules has no"
+            << " viscosity: its Knudsen number is infinite"
+            << exit(FatalIOError);
+    }
+    checked
+    (
+        properties_,
+        [&]
+        {
+            exchange_->correct
+            (
+                gas_.referenceTemperature(), drag, heat, densityScale
+            );
+            return true;
+        }
+    );
+    Info<< "    exchange corrected for the Knudsen number by " << drag
+        << " and " << heat;
+    if (densityScale != 1)
+    {
+        Info<< ", in a gas " << densityScale << " times as dense";
+    }
+    Info<< endl;
+}
+
+
+void Foam::solidParticles::readLedger()
+{
+    const auto present = [&](const label k)
+    {
+        return IOobject
+        (
+            ledgerNames[k],
+            mesh_.time().timeName(),
+            mesh_,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE
+        );
+    };
+    IOobject P = present(0);
+    IOobject E = present(1);
+    if
+    (
+        P.typeHeaderOk<volVectorField>(true)
+     && E.typeHeaderOk<volScalarField>(true)
+    )
+    {
+        const volVectorField momentum(P, mesh_);
+        const volScalarField energy(E, mesh_);
+        forAll(energy, i)
+        {
+            ledger_[i].momentum = toCore(momentum[i]);
+            ledger_[i].energy = energy[i];
+            nHolding_ += !ledger_[i].isZero();
+        }
+    }
+}
+
+
+void Foam::solidParticles::readParticles()
+{
+    const bool found = lagrangianFile::read(mesh_, cloudName, particles_);
+    if (!found)
+    {
+        inflow_->fill(particles_, seed_);
+    }
+    const solidData& data = particles_.payload();
+    for (label i = 0; i < particles_.size(); ++i)
+    {
+        if
+        (
+            data.group[i] < 0 || data.group[i] >= groups_.size()
+         || !(data.nParticle[i] > 0) || !(data.T[i] >= 0)
+        )
+        {
+            FatalErrorInFunction
+                << "Solid particle " << i << " of "
+                << mesh_.time().timePath()/"lagrangian"/cloudName
+                << " has group " << data.group[i] << ", nParticle "
+                << data.nParticle[i] << ", T " << data.T[i]
+                << ". Valid range: 0 <= group < " << groups_.size()
+                << ", nParticle > 0, T >= 0" << exit(FatalError);
+        }
+        tally& t = tally_[initial];
+        ++t.simulators;
+        t.number += data.nParticle[i];
+        t.mass += data.nParticle[i]*groups_[data.group[i]].mass;
+    }
+}
+
+
+void Foam::solidParticles::readTallies()
+{
+    IOdictionary state
+    (
+        IOobject
+        (
+            stateName,
+            mesh_.time().timeName(),
+            "uniform",
+            mesh_,
+            IOobject::READ_IF_PRESENT,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+    if (!state.found("initial"))
+    {
+        return;
+    }
+
+    // The state has the sums over processors: the master goes on with them
+    const bool mine = Pstream::master();
+    const auto restore = [&](const dictionary& d, tally& t)
+    {
+        t = tally();
+        if (mine)
+        {
+            t.simulators = d.get<label>("simulators");
+            t.number = d.get<scalar>("number");
+            t.mass = d.get<scalar>("mass");
+        }
+    };
+    for (label k = 0; k < nFates; ++k)
+    {
+        restore(state.subDict(fateNames[k]), tally_[k]);
+    }
+    label balance = 0;
+    for (label k = 0; k < nFates; ++k)
+    {
+        const label n = nSimulators(fate(k));
+        balance += k <= entered ? n : -n;
+    }
+    nLostBefore_ = balance - returnReduce(particles_.size(), sumOp<label>());
+    hits_ = mine ? state.get<label>("hits") : 0;
+    const dictionary& deposits = state.subDict("deposits");
+    for (const entry& e : deposits)
+    {
+        const label patchi = mesh_.boundaryMesh().findPatchID(e.keyword());
+        if (patchi >= 0)
+        {
+            restore(deposits.subDict(e.keyword()), deposits_[patchi]);
+        }
+    }
+}
+
+
+void Foam::solidParticles::warnOfLargeParticles() const
+{
+    scalar d = 0;
+    for (const auto& group : groups_)
+    {
+        d = max(d, group.diameter);
+    }
+    const scalar least = Foam::cbrt(gMin(mesh_.V()));
+    label nSmall = 0;
+    for (const scalar V : mesh_.V())
+    {
+        nSmall += d > Foam::cbrt(V);
+    }
+    reduce(nSmall, sumOp<label>());
+    if (nSmall)
+    {
+        WarningInFunction
+            << "The largest particles have a diameter of " << d
+            << " m. " << nSmall << " of "
+            << returnReduce(mesh_.nCells(), sumOp<label>())
+            << " cells are smaller, the smallest has a width of " << least
+            << " m (cube root of its volume)." << nl
+            << "    Forces are those of the molecules of one cell: they need"
+            << " particles far smaller than their cells" << endl;
+    }
+}
+
+
+void Foam::solidParticles::warnOfLightParticles()
+{
+    scalarList least;
+    forAll(groups_, g)
+    {
+        least.append(exchange_->leastNumber(g, gas_.weight()));
+    }
+    label nLight = 0;
+    const solidData& data = particles_.payload();
+    for (label i = 0; i < particles_.size(); ++i)
+    {
+        nLight += data.nParticle[i] < least[data.group[i]];
+    }
+    reduce(nLight, sumOp<label>());
+    warnedOfLight_ = true;
+    WarningInFunction
+        << nLight << " of " << returnReduce(particles_.size(), sumOp<label>())
+        << " simulated particles stand for so few real ones that a collision"
+        << " with a simulated molecule, which stands for " << gas_.weight()
+        << " real ones, could take nearly all of their heat." << nl
+        << "    They exchange momentum and energy as with exchange perCell."
+        << nl << "    Real particles for a simulated one that perCollision"
+        << " needs, by group: " << flatOutput(least) << nl << endl;
+}

@@ -1,0 +1,307 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "solidParticles.H"
+#include "coreVector.H"
+#include "lagrangianFile.H"
+#include "processorPolyPatch.H"
+#include "runSummary.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::label Foam::solidParticles::nSimulators(const fate k) const
+{
+    return returnReduce(tally_[k].simulators, sumOp<label>());
+}
+
+
+void Foam::solidParticles::describe() const
+{
+    const label n = returnReduce(particles_.size(), sumOp<label>());
+    Info<< "    " << groups_.size() << " groups, diameters (m), mass fractions"
+        << ":" << nl;
+    for (const auto& group : groups_)
+    {
+        Info<< "        " << group.diameter << "  " << group.massFraction
+            << nl;
+    }
+    Info<< "    simulated particles: " << n << nl << endl;
+}
+
+
+bool Foam::solidParticles::reportNow() const
+{
+    const label step = mesh_.time().timeIndex();
+    return
+        mesh_.time().writeTime()
+     || step == mesh_.time().startTimeIndex() + 1
+     || step % reportEvery_ == 0;
+}
+
+
+void Foam::solidParticles::report()
+{
+    impact::solidExchange::counts c = counts_;
+    for
+    (
+        std::int64_t* value :
+        {
+            &c.pairs, &c.candidates, &c.collisions, &c.beyond, &c.holding,
+            &c.light
+        }
+    )
+    {
+        scalar x = *value;
+        reduce(x, sumOp<scalar>());
+        *value = std::int64_t(x + 0.5);
+    }
+    reduce(c.greatestHits, maxOp<scalar>());
+    reduce(c.leastForce, minOp<scalar>());
+    impact::solidExchange::gains g = gains_;
+    sumOverProcessors(g.solids);
+    sumOverProcessors(g.gas);
+
+    tally now;
+    const solidData& data = particles_.payload();
+    for (label i = 0; i < particles_.size(); ++i)
+    {
+        now.number += data.nParticle[i];
+        now.mass += data.nParticle[i]*groups_[data.group[i]].mass;
+    }
+    now.simulators = returnReduce(particles_.size(), sumOp<label>());
+    reduce(now.number, sumOp<scalar>());
+    reduce(now.mass, sumOp<scalar>());
+
+    if (c.light && !warnedOfLight_)
+    {
+        warnOfLightParticles();
+    }
+    const scalar perTime = 1/duration_;
+    Info<< "    solid particles: " << now.simulators << " for " << now.number
+        << " real ones, " << now.mass << " kg" << nl
+        << "    solids gain: " << perTime*fromCore(g.solids.momentum)
+        << " N, " << perTime*g.solids.energy << " W" << nl;
+    if (c.leastForce < 1)
+    {
+        Info<< "    least force over the free-molecular one: "
+            << c.leastForce << nl;
+    }
+    if (exchange_->twoWay())
+    {
+        Info<< "    gas gains by collisions: "
+            << perTime*fromCore(g.gas.momentum) << " N, "
+            << perTime*g.gas.energy << " W" << nl
+            << "    collisions with solids: " << c.collisions << " of "
+            << c.candidates << " candidates; greatest number of hits of a"
+            << " molecule in a step: " << c.greatestHits << nl;
+        if (c.light)
+        {
+            Info<< "    particles that exchange by the cell, in the steps: "
+                << c.light << nl;
+        }
+        if (c.beyond)
+        {
+            Info<< "    " << c.beyond << " of them beyond the greatest relative"
+                << " speed, which collisions have changed" << nl;
+        }
+        if (!ledger_.empty())
+        {
+            impact::balance owed;
+            if (nHolding_)
+            {
+                for (const impact::balance& b : ledger_)
+                {
+                    owed += b;
+                }
+            }
+            sumOverProcessors(owed);
+            Info<< "    ledger: " << fromCore(owed.momentum) << " kg m/s, "
+                << owed.energy << " J; cells with an entry in the steps: "
+                << c.holding << nl;
+        }
+        Info<< "    gas + solids + ledger change in this step by: "
+            << momentumError_ << " of momentum, " << energyError_
+            << " of energy" << nl;
+    }
+    Info<< endl;
+
+    counts_ = impact::solidExchange::counts();
+    gains_ = impact::solidExchange::gains();
+    duration_ = 0;
+}
+
+
+void Foam::solidParticles::writeLedger() const
+{
+    if (!returnReduce(nHolding_, sumOp<label>()))
+    {
+        return;
+    }
+    volVectorField momentum
+    (
+        IOobject(ledgerNames[0], mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedVector(dimMass*dimVelocity, Zero),
+        "zeroGradient"
+    );
+    volScalarField energy
+    (
+        IOobject(ledgerNames[1], mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar(dimEnergy, Zero),
+        "zeroGradient"
+    );
+    forAll(energy, i)
+    {
+        momentum[i] = fromCore(ledger_[i].momentum);
+        energy[i] = ledger_[i].energy;
+    }
+    momentum.write();
+    energy.write();
+}
+
+
+void Foam::solidParticles::writeTallies() const
+{
+    IOdictionary state
+    (
+        IOobject
+        (
+            stateName,
+            mesh_.time().timeName(),
+            "uniform",
+            mesh_,
+            IOobject::NO_READ,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+    const auto sums = [](tally t)
+    {
+        dictionary d;
+        d.add("simulators", returnReduce(t.simulators, sumOp<label>()));
+        d.add("number", returnReduce(t.number, sumOp<scalar>()));
+        d.add("mass", returnReduce(t.mass, sumOp<scalar>()));
+        return d;
+    };
+    for (label k = 0; k < nFates; ++k)
+    {
+        state.add(fateNames[k], sums(tally_[k]));
+    }
+    state.add("hits", returnReduce(hits_, sumOp<label>()));
+    dictionary deposits;
+    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
+    forAll(patches, patchi)
+    {
+        if (!isA<processorPolyPatch>(patches[patchi]))
+        {
+            deposits.add(patches[patchi].name(), sums(deposits_[patchi]));
+        }
+    }
+    state.add("deposits", deposits);
+
+    // A restart goes on with the same bits, whatever writePrecision is
+    const unsigned precision = IOstream::defaultPrecision(17);
+    state.regIOobject::write();
+    IOstream::defaultPrecision(precision);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::solidParticles::account(runSummary& summary) const
+{
+    const auto sums = [](tally t)
+    {
+        reduce(t.simulators, sumOp<label>());
+        reduce(t.number, sumOp<scalar>());
+        reduce(t.mass, sumOp<scalar>());
+        return t;
+    };
+    Info<< "Solid particles (simulated, real, kg)" << nl;
+    label balance = 0;
+    for (label k = 0; k < nFates; ++k)
+    {
+        const tally t = sums(tally_[k]);
+        Info<< "    " << fateNames[k] << ": " << t.simulators << "  "
+            << t.number << "  " << t.mass << nl;
+        balance += k <= entered ? t.simulators : -t.simulators;
+    }
+    const label n = returnReduce(particles_.size(), sumOp<label>());
+    const label lost =
+        nLostBefore_ + returnReduce(particles_.nLost(), sumOp<label>());
+    Info<< "    lost: " << lost << ", now: " << n << nl
+        << "    wall hits: " << returnReduce(hits_, sumOp<label>()) << nl;
+    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
+    forAll(patches, patchi)
+    {
+        if (isA<processorPolyPatch>(patches[patchi]))
+        {
+            break;
+        }
+        const tally t = sums(deposits_[patchi]);
+        if (t.simulators)
+        {
+            Info<< "    deposited on " << patches[patchi].name() << ": "
+                << t.simulators << "  " << t.number << "  " << t.mass << nl;
+        }
+    }
+    Info<< endl;
+    if (interface_.valid())
+    {
+        interface_->info();
+    }
+    if (balance - lost != n)
+    {
+        FatalErrorInFunction
+            << "The balance of solid particles does not close"
+            << exit(FatalError);
+    }
+
+    const auto inThisRun = [&](const fate k)
+    {
+        return scalar(nSimulators(k) - before_[k]);
+    };
+    summary.part("solids, moving", moveTime_);
+    summary.part("solids, exchange", exchangeTime_);
+    summary.particles
+    (
+        {
+            "solids", scalar(nStart_), inThisRun(entered), scalar(n), true,
+            inThisRun(left) + inThisRun(escaped), inThisRun(stuck)
+        }
+    );
+}
+
+
+bool Foam::solidParticles::writeObject(FOAM_COMPAT_WRITE_ARGS_UNUSED) const
+{
+    lagrangianFile::write
+    (
+        mesh_,
+        cloudName,
+        cloudHeader,
+        const_cast<solidArray&>(particles_)
+    );
+    scalarField d(particles_.size());
+    forAll(d, i)
+    {
+        d[i] = groups_[particles_.payload().group[i]].diameter;
+    }
+    lagrangianFile::writeField<scalar>(mesh_, cloudName, "d", d);
+    if (!ledger_.empty())
+    {
+        writeLedger();
+    }
+    writeTallies();
+    if (fields_.valid())
+    {
+        fields_->writeState();
+    }
+    if (interface_.valid())
+    {
+        interface_->write();
+    }
+    return true;
+}
