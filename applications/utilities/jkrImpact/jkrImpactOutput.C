@@ -260,18 +260,8 @@ void writeChain
     thresholds(event::secondDetaches, detaches, "V_detachP2");
 }
 
-void writeAll(const fileName& folder, const jkrImpactSetup& setup)
+void writeContact(summaryFile& summary, const impact::jkrContact& contact)
 {
-    const impact::jkrContact& contact = setup.contact;
-    const impact::dissipationLaw& law = setup.law;
-    const scalar v = contact.separationSpeed();
-
-    rmDir(folder, true);
-    mkDir(folder);
-    writeCurve(folder, contact);
-    writeAlpha(folder, setup);
-
-    summaryFile summary(folder);
     summary.row("radius", contact.radius(), "m");
     summary.row("modulus", contact.modulus(), "Pa");
     summary.row("mass", contact.mass(), "kg");
@@ -289,77 +279,104 @@ void writeAll(const fileName& folder, const jkrImpactSetup& setup)
         contact.separationWork(impact::unloadingType::hard),
         "J"
     );
-    summary.row("v_st", v, "m/s");
-    if (law.isConstant())
+    summary.row("v_st", contact.separationSpeed(), "m/s");
+}
+
+void writeConstantLaw(summaryFile& summary, const jkrImpactSetup& setup)
+{
+    const scalar alpha = setup.law.coeffs()[0];
+    summary.row("alpha", alpha, "-");
+    summary.row
+    (
+        "V_capture",
+        impact::jkrImpact(setup.contact, alpha, setup.settings).captureSpeed(),
+        "m/s"
+    );
+    summary.row
+    (
+        "e_withoutAdhesion",
+        impact::jkrMotion::hertzRestitution(alpha),
+        "-"
+    );
+}
+
+//- Of a law alpha(e)
+void writeLaw(summaryFile& summary, const jkrImpactSetup& setup)
+{
+    const impact::dissipationLaw& law = setup.law;
+    const scalar v = setup.contact.separationSpeed();
+    for (std::size_t i = 0; i < law.coeffs().size(); ++i)
     {
-        const scalar alpha = law.coeffs()[0];
-        summary.row("alpha", alpha, "-");
-        summary.row
-        (
-            "V_capture",
-            impact::jkrImpact(contact, alpha, setup.settings).captureSpeed(),
-            "m/s"
-        );
-        summary.row
-        (
-            "e_withoutAdhesion",
-            impact::jkrMotion::hertzRestitution(alpha),
-            "-"
-        );
+        summary.row("alpha_c" + std::to_string(i), law.coeffs()[i], "-");
+    }
+    summary.row("e_low", law.low(), "-");
+    summary.row("e_high", law.high(), "-");
+    if (law.low() == 0)
+    {
+        summary.row("V_capture", law.speed(0)*v, "m/s");
     }
     else
     {
-        for (std::size_t i = 0; i < law.coeffs().size(); ++i)
-        {
-            summary.row("alpha_c" + std::to_string(i), law.coeffs()[i], "-");
-        }
-        summary.row("e_low", law.low(), "-");
-        summary.row("e_high", law.high(), "-");
-        if (law.low() == 0)
-        {
-            summary.row("V_capture", law.speed(0)*v, "m/s");
-        }
-        else
-        {
-            Info<< "    V_capture: alpha(e) does not reach e = 0" << nl;
-        }
-        label number = 0;
-        for (const impact::dissipationLaw::interval& i : law.ambiguous())
-        {
-            const std::string end = "_" + std::to_string(++number);
-            summary.row("V_ambiguousFrom" + end, i.low*v, "m/s");
-            summary.row("V_ambiguousTo" + end, i.high*v, "m/s");
-            WarningInFunction
-                << "Several restitutions belong to one speed between "
-                << i.low*v << " and " << i.high*v
-                << " m/s: alpha(e) is too steep there. The largest is taken"
-                << endl;
-        }
-        number = 0;
-        for (const impact::dissipationLaw::interval& i : law.unreachable())
-        {
-            const std::string end = "_" + std::to_string(++number);
-            summary.row("e_withoutSpeedFrom" + end, i.low, "-");
-            summary.row("e_withoutSpeedTo" + end, i.high, "-");
-            WarningInFunction
-                << "No speed belongs to a restitution between " << i.low
-                << " and " << i.high
-                << ": alpha(e) damps more than that even without adhesion"
-                << endl;
-        }
-        if (setup.ofContactWithoutAdhesion)
-        {
-            WarningInFunction
-                << "alpha of type marshall without the entry restitution: the"
-                << " polynomial belongs to the restitution of a contact"
-                << " without adhesion. As a function of the impact's own it"
-                << " has solutions only where the error of the fit, 0.001,"
-                << " exceeds what adhesion takes. Give the restitution"
-                << " without adhesion, or a calibrated alpha" << endl;
-        }
-        writeInverse(folder, setup);
+        Info<< "    V_capture: alpha(e) does not reach e = 0" << nl;
     }
+    label number = 0;
+    for (const impact::dissipationLaw::interval& i : law.ambiguous())
+    {
+        const std::string end = "_" + std::to_string(++number);
+        summary.row("V_ambiguousFrom" + end, i.low*v, "m/s");
+        summary.row("V_ambiguousTo" + end, i.high*v, "m/s");
+        WarningInFunction
+            << "Several restitutions belong to one speed between "
+            << i.low*v << " and " << i.high*v
+            << " m/s: alpha(e) is too steep there. The largest is taken"
+            << endl;
+    }
+    number = 0;
+    for (const impact::dissipationLaw::interval& i : law.unreachable())
+    {
+        const std::string end = "_" + std::to_string(++number);
+        summary.row("e_withoutSpeedFrom" + end, i.low, "-");
+        summary.row("e_withoutSpeedTo" + end, i.high, "-");
+        WarningInFunction
+            << "No speed belongs to a restitution between " << i.low
+            << " and " << i.high
+            << ": alpha(e) damps more than that even without adhesion"
+            << endl;
+    }
+    if (setup.ofContactWithoutAdhesion)
+    {
+        WarningInFunction
+            << "alpha of type marshall without the entry restitution: the"
+            << " polynomial belongs to the restitution of a contact"
+            << " without adhesion. As a function of the impact's own it"
+            << " has solutions only where the error of the fit, 0.001,"
+            << " exceeds what adhesion takes. Give the restitution"
+            << " without adhesion, or a calibrated alpha" << endl;
+    }
+}
 
+void writeTrajectory
+(
+    const fileName& file,
+    const impact::jkrImpact& impact,
+    const scalar V,
+    const label nLoops
+)
+{
+    csvFile path(file, "t,overlap,velocity,force,contactRadius");
+    for (const impact::impactMoment& m : impact.trajectory(V, nLoops))
+    {
+        path.row(m.time, m.overlap, m.velocity, m.force, m.contactRadius);
+    }
+}
+
+//- Restitution and trajectories by speed
+//  \return evaluations of the force
+scalar writeRestitution(const fileName& folder, const jkrImpactSetup& setup)
+{
+    const impact::jkrContact& contact = setup.contact;
+    const impact::dissipationLaw& law = setup.law;
+    const scalar v = contact.separationSpeed();
     csvFile file
     (
         folder/"restitution.csv",
@@ -399,23 +416,11 @@ void writeAll(const fileName& folder, const jkrImpactSetup& setup)
             }
             if (setup.trajectories)
             {
-                csvFile path
+                writeTrajectory
                 (
                     folder/("trajectory_" + Foam::name(i) + ".csv"),
-                    "t,overlap,velocity,force,contactRadius"
+                    impact, V, setup.nLoops
                 );
-                for
-                (
-                    const impact::impactMoment& m
-                  : impact.trajectory(V, setup.nLoops)
-                )
-                {
-                    path.row
-                    (
-                        m.time, m.overlap, m.velocity, m.force,
-                        m.contactRadius
-                    );
-                }
             }
         }
         catch (const std::invalid_argument& error)
@@ -433,9 +438,31 @@ void writeAll(const fileName& folder, const jkrImpactSetup& setup)
             FatalError << exit(FatalError);
         }
     }
+    return evaluations;
+}
+
+void writeAll(const fileName& folder, const jkrImpactSetup& setup)
+{
+    rmDir(folder, true);
+    mkDir(folder);
+    writeCurve(folder, setup.contact);
+    writeAlpha(folder, setup);
+
+    summaryFile summary(folder);
+    writeContact(summary, setup.contact);
+    if (setup.law.isConstant())
+    {
+        writeConstantLaw(summary, setup);
+    }
+    else
+    {
+        writeLaw(summary, setup);
+        writeInverse(folder, setup);
+    }
     summary.row
     (
-        "forceEvaluationsPerImpact", evaluations/setup.speeds.size(), "-"
+        "forceEvaluationsPerImpact",
+        writeRestitution(folder, setup)/setup.speeds.size(), "-"
     );
     if (setup.chain)
     {

@@ -8,6 +8,7 @@
 #include "ListOps.H"
 #include "wordRes.H"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -80,10 +81,9 @@ impact::undisturbedStream Foam::CrossSectionInjection<CloudType>::makeStream
 
 
 template<class CloudType>
-void Foam::CrossSectionInjection<CloudType>::setEntry()
+Foam::labelList Foam::CrossSectionInjection<CloudType>::entryPatches() const
 {
-    const polyMesh& mesh = this->owner().mesh();
-    const polyBoundaryMesh& boundary = mesh.boundaryMesh();
+    const polyBoundaryMesh& boundary = this->owner().mesh().boundaryMesh();
     const wordRes names
     (
         this->coeffDict().template get<wordRes>("patches")
@@ -119,36 +119,39 @@ void Foam::CrossSectionInjection<CloudType>::setEntry()
         }
     }
     inplaceUniqueSort(patchIDs);
+    return patchIDs;
+}
 
-    // A triangle fan over each face; positions of the triangles in an order
-    // given by the geometry, so that it is that of the undecomposed mesh
-    DynamicList<point> myCorners;
-    for (const label patchi : patchIDs)
+
+template<class CloudType>
+Foam::pointField
+Foam::CrossSectionInjection<CloudType>::entryTriangles() const
+{
+    // A triangle fan over each face
+    const polyMesh& mesh = this->owner().mesh();
+    DynamicList<point> own;
+    for (const label patchi : entryPatches())
     {
-        const polyPatch& patch = boundary[patchi];
+        const polyPatch& patch = mesh.boundaryMesh()[patchi];
         forAll(patch, facei)
         {
             const face& f = patch[facei];
             for (label i = 1; i < f.size() - 1; ++i)
             {
-                myCorners.append(mesh.points()[f[0]]);
-                myCorners.append(mesh.points()[f[i]]);
-                myCorners.append(mesh.points()[f[i + 1]]);
+                own.append(mesh.points()[f[0]]);
+                own.append(mesh.points()[f[i]]);
+                own.append(mesh.points()[f[i + 1]]);
             }
         }
     }
 
-    List<pointField> allCorners(Pstream::nProcs());
-    allCorners[Pstream::myProcNo()] = myCorners;
-    Pstream::gatherList(allCorners);
-    Pstream::scatterList(allCorners);
-    const pointField unsorted
+    List<pointField> all(Pstream::nProcs());
+    all[Pstream::myProcNo()] = own;
+    Pstream::gatherList(all);
+    Pstream::scatterList(all);
+    const pointField corners
     (
-        ListListOps::combine<pointField>
-        (
-            allCorners,
-            accessOp<pointField>()
-        )
+        ListListOps::combine<pointField>(all, accessOp<pointField>())
     );
 
     const auto before =
@@ -159,34 +162,69 @@ void Foam::CrossSectionInjection<CloudType>::setEntry()
               : a.y() != b.y() ? a.y() < b.y()
               : a.z() < b.z();
         };
-    labelList order(identity(unsorted.size()/3));
+    labelList order(identity(corners.size()/3));
     std::sort
     (
         order.begin(),
         order.end(),
         [&](const label a, const label b)
         {
-            for (label i = 0; i < 3; ++i)
-            {
-                const point& pa = unsorted[3*a + i];
-                const point& pb = unsorted[3*b + i];
-                if (before(pa, pb) || before(pb, pa))
-                {
-                    return before(pa, pb);
-                }
-            }
-            return false;
+            const auto first = corners.begin();
+            return std::lexicographical_compare
+            (
+                first + 3*a, first + 3*a + 3, first + 3*b, first + 3*b + 3,
+                before
+            );
         }
     );
+    pointField sorted(corners.size());
+    forAll(sorted, i)
+    {
+        sorted[i] = corners[3*order[i/3] + i % 3];
+    }
+    return sorted;
+}
 
+
+template<class CloudType>
+void Foam::CrossSectionInjection<CloudType>::setQuietEntry()
+{
+    const polyMesh& mesh = this->owner().mesh();
+    vector empty(Zero);
+    if (mesh.nSolutionD() == 2)
+    {
+        for (direction d = 0; d < 3; ++d)
+        {
+            empty[d] = mesh.solutionD()[d] == -1;
+        }
+    }
+    section_ = entrySection(corners_, this->U0(), empty);
+    sequenceRate_ =
+        stream_.parcelDensity()*section_.area()
+       *mag(this->U0() - (this->U0() & empty)*empty);
+
+    // A section that is entered twice is met in a first few members
+    for (int64_t k = 0; k < 10000; ++k)
+    {
+        scalar instant;
+        point p;
+        entry(k, instant, p);
+    }
+}
+
+
+template<class CloudType>
+void Foam::CrossSectionInjection<CloudType>::setEntry()
+{
+    const pointField triangles(entryTriangles());
     DynamicList<point> corners;
     DynamicList<scalar> cumulative;
     scalar flux = 0;
-    for (const label i : order)
+    for (label i = 0; i < triangles.size(); i += 3)
     {
-        const point& a = unsorted[3*i];
-        const point& b = unsorted[3*i + 1];
-        const point& c = unsorted[3*i + 2];
+        const point& a = triangles[i];
+        const point& b = triangles[i + 1];
+        const point& c = triangles[i + 2];
         const scalar inward = -0.5*(((b - a)^(c - a)) & this->U0());
         if (inward > 0)
         {
@@ -206,7 +244,7 @@ void Foam::CrossSectionInjection<CloudType>::setEntry()
         (
             this->coeffDict(), "U0", this->U0(),
             "of velocities that point into the mesh through ",
-            flatOutput(names)
+            flatOutput(this->coeffDict().template get<wordRes>("patches"))
         );
     }
 
@@ -214,26 +252,7 @@ void Foam::CrossSectionInjection<CloudType>::setEntry()
     sequenceRate_ = rate_;
     if (quiet_)
     {
-        vector empty(Zero);
-        if (mesh.nSolutionD() == 2)
-        {
-            for (direction d = 0; d < 3; ++d)
-            {
-                empty[d] = mesh.solutionD()[d] == -1;
-            }
-        }
-        section_ = entrySection(corners_, this->U0(), empty);
-        sequenceRate_ =
-            stream_.parcelDensity()*section_.area()
-           *mag(this->U0() - (this->U0() & empty)*empty);
-
-        // A section that is entered twice is met in a first few members
-        for (int64_t k = 0; k < 10000; ++k)
-        {
-            scalar instant;
-            point p;
-            entry(k, instant, p);
-        }
+        setQuietEntry();
     }
 
     // No memory holds them

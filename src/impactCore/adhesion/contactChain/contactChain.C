@@ -75,6 +75,284 @@ struct chainRate
     }
 };
 
+
+//- An impact on its way
+class chainImpact
+{
+    typedef dormandPrince8<5> integrator;
+
+    chainRate rate_;
+    const jkrContact::units unit1_, unit2_;
+    const double tolerance_;
+    std::vector<chainMoment>* moments_;
+
+    // Separations; stiffness where the forces vanish
+    const double end1_, end2_;
+    const double b1_, b2_;
+
+    // Energies at rest, and from there to the separations
+    const double energyUnit2_;
+    const double bottom1_, bottom2_;
+    const double barrier1_, barrier2_;
+
+    integrator step_;
+    long evaluations_;
+    double h_;
+
+    // Largest overlaps, and whether a maximum is behind
+    double maxU1_, maxU2_;
+    bool turned1_, turned2_;
+
+    chainOutcome out_;
+
+
+    void note(const chainState& y)
+    {
+        if (moments_)
+        {
+            moments_->push_back
+            ({
+                y[4]*unit1_.time,
+                rate_.curve1.overlap(y[0])*unit1_.length,
+                y[1]*unit1_.speed,
+                rate_.curve2.overlap(y[2])*unit2_.length,
+                y[3]*unit1_.speed
+            });
+        }
+    }
+
+    //- Error of the step that was tried over the tolerance
+    double error() const
+    {
+        const chainState y = step_.end();
+        const double x1 = fourth(y[0])*y[0], x2 = fourth(y[2])*y[2];
+        const double v2 = y[3]/rate_.speed;
+        const double speed1 =
+            std::max(std::sqrt(y[1]*y[1] + x1*x1), b1_*rate_.curve1.uB());
+        const double speed2 =
+            std::max(std::sqrt(v2*v2 + x2*x2), b2_*rate_.curve2.uB());
+        return step_.error
+        ({
+            rate_.touch1 ? (5*fourth(y[0]) + b1_)/speed1 : 0,
+            rate_.touch1 ? 1/speed1 : 0,
+            rate_.touch2 ? (5*fourth(y[2]) + b2_)/speed2 : 0,
+            1/(speed2*rate_.speed),
+            0
+        })/tolerance_;
+    }
+
+    //- The first of the separations in the step
+    //  \param[out] fraction  its place in the step, or 1
+    //  \return contact 1 or 2, or 0
+    int separation(double& fraction) const
+    {
+        const chainState y = step_.end();
+        fraction = 1;
+        int leaves = 0;
+        if (rate_.touch1 && y[0] <= end1_)
+        {
+            fraction = step_.when(0, end1_, 1);
+            leaves = 1;
+        }
+        if (rate_.touch2 && y[2] <= end2_)
+        {
+            const double s = step_.when(2, end2_, 1);
+            if (s <= fraction)
+            {
+                fraction = s;
+                leaves = 2;
+            }
+        }
+        return leaves;
+    }
+
+    //- Moments of a part of the step, and the largest overlaps in it
+    void sample(double fraction)
+    {
+        const int nSamples = 8;
+        for (int i = 1; i <= nSamples; ++i)
+        {
+            chainState z;
+            for (int k = 0; k < 5; ++k)
+            {
+                z[k] = step_.at(k, fraction*i/nSamples);
+            }
+            maxU1_ = rate_.touch1 ? std::max(maxU1_, z[0]) : maxU1_;
+            maxU2_ = rate_.touch2 ? std::max(maxU2_, z[2]) : maxU2_;
+            note(z);
+        }
+        maximum(0, rate_.touch1, maxU1_, turned1_);
+        maximum(2, rate_.touch2, maxU2_, turned2_);
+    }
+
+    //- Where the velocity behind u changes its sign
+    void maximum(int u, bool touch, double& most, bool& turned) const
+    {
+        if (touch && step_.begin()[u + 1] > 0 && step_.end()[u + 1] <= 0)
+        {
+            most = std::max(most, step_.at(u, step_.when(u + 1, 0, 1)));
+            turned = true;
+        }
+    }
+
+    //- End the step where a contact separates
+    void separate(int contact, double fraction)
+    {
+        step_.attempt(rate_, fraction*h_);
+        chainState end = step_.end();
+        if (contact == 1)
+        {
+            out_.firstCaptured = false;
+            out_.firstSpeed =
+                -(rate_.oneWay ? end[1] : end[1] + end[3])*unit1_.speed;
+            rate_.touch1 = false;
+            end[1] = 0;
+        }
+        else
+        {
+            out_.secondDetached = true;
+            rate_.touch2 = false;
+        }
+        if (out_.secondDetached)
+        {
+            out_.secondSpeed = -end[3]*unit1_.speed;
+        }
+        evaluations_ += step_.evaluations();
+        step_ = integrator(rate_, end);
+
+        // One factor of the time scale is gone
+        h_ *= contact == 1 ? 0.4 : 0.4*rate_.length;
+    }
+
+
+public:
+
+    //- \param moments  filled unless null
+    chainImpact
+    (
+        const chainRate& rate,
+        const jkrContact::units& unit1,
+        const jkrContact::units& unit2,
+        double speed,
+        double tolerance,
+        std::vector<chainMoment>* moments
+    )
+    :
+        rate_(rate),
+        unit1_(unit1),
+        unit2_(unit2),
+        tolerance_(tolerance),
+        moments_(moments),
+        end1_(rate.curve1.uS()),
+        end2_(rate.curve2.uS()),
+        b1_(fourth(rate.curve1.uB())),
+        b2_(fourth(rate.curve2.uB())),
+        energyUnit2_(rate.force*rate.length),
+        bottom1_(rate.curve1.energy(rate.curve1.uB())),
+        bottom2_(energyUnit2_*rate.curve2.energy(rate.curve2.uB())),
+        barrier1_(rate.curve1.energy(end1_) - bottom1_),
+        barrier2_(energyUnit2_*rate.curve2.energy(end2_) - bottom2_),
+        step_
+        (
+            rate_,
+            {rate.curve1.uA(), speed/unit1.speed, rate.curve2.uB(), 0, 0}
+        ),
+        evaluations_(0),
+        h_(0.05/rate.length),
+        maxU1_(rate.curve1.uA()),
+        maxU2_(rate.curve2.uB()),
+        turned1_(false),
+        turned2_(false),
+        out_{true, 0, false, 0, 0, 0, 0, true, 0}
+    {
+        note(step_.begin());
+    }
+
+    //- A step, or a part of one up to a separation
+    //  \return was it accepted?
+    bool step()
+    {
+        step_.attempt(rate_, h_);
+        const double e = error();
+        if (e > 1)
+        {
+            h_ *= integrator::factor(e);
+            return false;
+        }
+        step_.interpolate(rate_);
+        double fraction;
+        const int leaves = separation(fraction);
+        sample(fraction);
+        if (leaves)
+        {
+            separate(leaves, fraction);
+        }
+        else
+        {
+            step_.accept();
+            h_ *= integrator::factor(e);
+        }
+        return true;
+    }
+
+    //- Is the outcome known? By the energies above those in equilibrium
+    bool over()
+    {
+        if (!rate_.touch1 && !rate_.touch2)
+        {
+            return true;
+        }
+        const chainState& z = step_.begin();
+        const double well1 = rate_.curve1.energy(z[0]) - bottom1_;
+        const double well2 =
+            energyUnit2_*rate_.curve2.energy(z[2]) - bottom2_;
+        const double inner = well1 + 0.5*z[1]*z[1];
+        const double outer = well2 + 0.5*rate_.mass2*z[3]*z[3];
+        const double small = moments_ || !(turned1_ && turned2_) ? 1e-8 : 1;
+        if (!rate_.touch2)
+        {
+            if (!(inner < small*barrier1_))
+            {
+                return false;
+            }
+
+            // A free pair: y1' is its relative velocity in both couplings
+            const double m1 = rate_.mass1, m2 = rate_.mass2;
+            const double v = rate_.oneWay
+              ? z[3] : (m1*(z[1] + z[3]) + m2*z[3])/(m1 + m2);
+            out_.firstSpeed = -v*unit1_.speed;
+            out_.secondSpeed = out_.firstSpeed;
+            return true;
+        }
+        if (!rate_.touch1)
+        {
+            return outer < small*barrier2_;
+        }
+        if (rate_.oneWay)
+        {
+            // P1 drives P2 until it rests
+            return
+                inner < 1e-4*small*barrier1_ && outer < 0.5*small*barrier2_;
+        }
+        const double w = z[1] + z[3];
+        return
+            well1 + outer + 0.5*rate_.mass1*w*w
+          < small*std::min(barrier1_, barrier2_);
+    }
+
+    chainOutcome outcome(bool decided) const
+    {
+        chainOutcome out(out_);
+        out.decided = decided;
+        out.maxOverlap1 = rate_.curve1.overlap(maxU1_)*unit1_.length;
+        out.maxOverlap2 = rate_.curve2.overlap(maxU2_)*unit2_.length;
+        out.finalOverlap2 =
+            rate_.curve2.overlap(step_.begin()[2])*unit2_.length;
+        out.evaluations = evaluations_ + step_.evaluations();
+        return out;
+    }
+};
+
 } // End anonymous namespace
 
 
@@ -130,7 +408,7 @@ impact::chainOutcome impact::contactChain::run
     checkRange("speed", speed, "(0, inf) m/s");
     const jkrContact::units unit1 = first_.scales(speed);
     const jkrContact::units unit2 = second_.scales(speed);
-    chainRate rate =
+    const chainRate rate =
     {
         unit1.curve,
         unit2.curve,
@@ -145,199 +423,15 @@ impact::chainOutcome impact::contactChain::run
         true,
         true
     };
-    const jkrCurve& c1 = rate.curve1;
-    const jkrCurve& c2 = rate.curve2;
-    const double end1 = c1.uS(), end2 = c2.uS();
-    const double b1 = fourth(c1.uB()), b2 = fourth(c2.uB());
-    const double energyUnit2 = rate.force*rate.length;
-    const double bottom1 = c1.energy(c1.uB());
-    const double bottom2 = energyUnit2*c2.energy(c2.uB());
-    const double barrier1 = c1.energy(end1) - bottom1;
-    const double barrier2 = energyUnit2*c2.energy(end2) - bottom2;
-
-    chainOutcome out = {true, 0, false, 0, 0, 0, 0, true, 0};
-    typedef dormandPrince8<5> integrator;
-    integrator step(rate, {c1.uA(), speed/unit1.speed, c2.uB(), 0, 0});
-    long evaluations = 0;
-    double maxU1 = c1.uA(), maxU2 = c2.uB();
-    bool turned1 = false, turned2 = false;      // a maximum is behind
-    auto note = [&](const chainState& y)
+    chainImpact impact(rate, unit1, unit2, speed, tolerance_, moments);
+    for (long n = 0; n < maxSteps; ++n)
     {
-        if (moments)
+        if (impact.step() && impact.over())
         {
-            moments->push_back
-            ({
-                y[4]*unit1.time,
-                c1.overlap(y[0])*unit1.length,
-                y[1]*unit1.speed,
-                c2.overlap(y[2])*unit2.length,
-                y[3]*unit1.speed
-            });
-        }
-    };
-    note(step.begin());
-
-    double h = 0.05/rate.length;
-    for (long n = 0; ; ++n)
-    {
-        if (n == maxSteps)
-        {
-            out.decided = false;
-            break;
-        }
-        step.attempt(rate, h);
-        const chainState y = step.end();
-        const double x1 = fourth(y[0])*y[0], x2 = fourth(y[2])*y[2];
-        const double v2 = y[3]/rate.speed;
-        const double speed1 =
-            std::max(std::sqrt(y[1]*y[1] + x1*x1), b1*c1.uB());
-        const double speed2 = std::max(std::sqrt(v2*v2 + x2*x2), b2*c2.uB());
-        const double error = step.error
-        ({
-            rate.touch1 ? (5*fourth(y[0]) + b1)/speed1 : 0,
-            rate.touch1 ? 1/speed1 : 0,
-            rate.touch2 ? (5*fourth(y[2]) + b2)/speed2 : 0,
-            1/(speed2*rate.speed),
-            0
-        })/tolerance_;
-        if (error > 1)
-        {
-            h *= integrator::factor(error);
-            continue;
-        }
-        step.interpolate(rate);
-
-        // The first of the separations in this step
-        double fraction = 1;
-        int leaves = 0;
-        if (rate.touch1 && y[0] <= end1)
-        {
-            fraction = step.when(0, end1, 1);
-            leaves = 1;
-        }
-        if (rate.touch2 && y[2] <= end2)
-        {
-            const double s = step.when(2, end2, 1);
-            if (s <= fraction)
-            {
-                fraction = s;
-                leaves = 2;
-            }
-        }
-        const int nSamples = 8;
-        for (int i = 1; i <= nSamples; ++i)
-        {
-            const double s = fraction*i/nSamples;
-            chainState z;
-            for (int k = 0; k < 5; ++k)
-            {
-                z[k] = step.at(k, s);
-            }
-            maxU1 = rate.touch1 ? std::max(maxU1, z[0]) : maxU1;
-            maxU2 = rate.touch2 ? std::max(maxU2, z[2]) : maxU2;
-            note(z);
-        }
-        const auto maximum =
-            [&](int u, int v, bool touch, double& most, bool& turned)
-        {
-            if (touch && step.begin()[v] > 0 && y[v] <= 0)
-            {
-                most = std::max(most, step.at(u, step.when(v, 0, 1)));
-                turned = true;
-            }
-        };
-        maximum(0, 1, rate.touch1, maxU1, turned1);
-        maximum(2, 3, rate.touch2, maxU2, turned2);
-
-        if (leaves)
-        {
-            step.attempt(rate, fraction*h);
-            chainState end = step.end();
-            if (leaves == 1)
-            {
-                out.firstCaptured = false;
-                out.firstSpeed =
-                    -(rate.oneWay ? end[1] : end[1] + end[3])*unit1.speed;
-                rate.touch1 = false;
-                end[1] = 0;
-            }
-            else
-            {
-                out.secondDetached = true;
-                rate.touch2 = false;
-            }
-            if (out.secondDetached)
-            {
-                out.secondSpeed = -end[3]*unit1.speed;
-            }
-            evaluations += step.evaluations();
-            step = integrator(rate, end);
-            if (!rate.touch1 && !rate.touch2)
-            {
-                break;
-            }
-
-            // One factor of the time scale is gone
-            h *= leaves == 1 ? 0.4 : 0.4*rate.length;
-        }
-        else
-        {
-            step.accept();
-            h *= integrator::factor(error);
-        }
-
-        // Energies above those in equilibrium
-        const chainState& z = step.begin();
-        const double well1 = c1.energy(z[0]) - bottom1;
-        const double well2 = energyUnit2*c2.energy(z[2]) - bottom2;
-        const double inner = well1 + 0.5*z[1]*z[1];
-        const double outer = well2 + 0.5*rate.mass2*z[3]*z[3];
-        const double small = moments || !(turned1 && turned2) ? 1e-8 : 1;
-        if (!rate.touch2)
-        {
-            // A free pair: y1' is its relative velocity in both couplings
-            if (inner < small*barrier1)
-            {
-                const double m1 = rate.mass1, m2 = rate.mass2;
-                const double v = rate.oneWay
-                  ? z[3] : (m1*(z[1] + z[3]) + m2*z[3])/(m1 + m2);
-                out.firstSpeed = -v*unit1.speed;
-                out.secondSpeed = out.firstSpeed;
-                break;
-            }
-        }
-        else if (!rate.touch1)
-        {
-            if (outer < small*barrier2)
-            {
-                break;
-            }
-        }
-        else if (rate.oneWay)
-        {
-            // P1 drives P2 until it rests
-            const bool settled = inner < 1e-4*small*barrier1;
-            if (settled && outer < 0.5*small*barrier2)
-            {
-                break;
-            }
-        }
-        else
-        {
-            const double w = z[1] + z[3];
-            const double energy =
-                well1 + outer + 0.5*rate.mass1*w*w;
-            if (energy < small*std::min(barrier1, barrier2))
-            {
-                break;
-            }
+            return impact.outcome(true);
         }
     }
-    out.maxOverlap1 = c1.overlap(maxU1)*unit1.length;
-    out.maxOverlap2 = c2.overlap(maxU2)*unit2.length;
-    out.finalOverlap2 = c2.overlap(step.begin()[2])*unit2.length;
-    out.evaluations = evaluations + step.evaluations();
-    return out;
+    return impact.outcome(false);
 }
 
 

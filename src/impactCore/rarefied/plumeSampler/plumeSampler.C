@@ -288,6 +288,172 @@ void impact::plumeSampler::nozzleAt
 }
 
 
+struct impact::plumeSampler::beamStart
+{
+    beamShape shape;
+
+    //- Of the cooling (radiativeCooling::state), its rate [1/s], and the
+    //  temperature [K]; with temperatureMethod::euler heat and loss
+    double y;
+    double rate;
+    double T;
+    int branch;
+};
+
+
+impact::plumeSampler::beamStart impact::plumeSampler::startOf(int group) const
+{
+    const plumeSource& source = *setup_.source;
+    const radiativeCooling& cooling = *setup_.cooling;
+    const plumeSource::beam& b = source.beams()[group];
+    beamStart start = {};
+    beamShape& shape = start.shape;
+    const double angle = b.spread*M_PI/180;
+    shape.exitRadius = source.exitRadius();
+    shape.speed = b.speed;
+    shape.deviation = b.speedDeviation;
+    if (b.distribution == plumeSource::angleLaw::gaussian)
+    {
+        shape.square = angle*angle;
+        shape.rest = -std::expm1(-2/shape.square);
+    }
+    else
+    {
+        const double s = std::sin(0.5*angle);
+        shape.cone = 2*s*s;
+    }
+    const radiativeCooling::state state = cooling.start(b.temperature);
+    const bool euler = setup_.temperature == temperatureMethod::euler;
+    start.branch = state.branch;
+    start.T = b.temperature;
+    start.y = euler ? cooling.eulerHeat(b.diameter) : state.y;
+    start.rate =
+        euler ? cooling.eulerLoss(b.diameter) : cooling.rate(b.diameter);
+    return start;
+}
+
+
+void impact::plumeSampler::takeRecords
+(
+    int group,
+    int m,
+    const plumeDraws& draws,
+    plumeLanes& l
+) const
+{
+    const plumeSource& source = *setup_.source;
+    const plumeSource::group& g = source.groups()[group];
+    const readyRecord* records = records_.data() + g.first;
+    const std::int64_t nRecords = std::int64_t(g.last - g.first);
+    for (int i = 0; i < m; ++i)
+    {
+        // One number chooses the place, and in it record or alias
+        const double u = l.choice[i]*double(nRecords);
+        const std::int64_t place = std::min(std::int64_t(u), nRecords - 1);
+        const readyRecord& here = records[place];
+        const readyRecord& r =
+            u - double(place) < here.keep ? here : records[here.alias];
+        for (int d = 0; d < 3; ++d)
+        {
+            l.x[d][i] = r.x[d];
+            l.v[d][i] = r.v[d];
+        }
+        l.y[i] = r.y;
+        l.rate[i] = r.rate;
+        l.branch[i] = r.branch;
+        l.T[i] = r.T;
+    }
+    if (source.smoothing() > 0)
+    {
+        smoothVelocities(m, draws, source.smoothing(), l);
+    }
+    if (source.axisymmetric())
+    {
+        turnLanes(m, draws, l);
+    }
+}
+
+
+void impact::plumeSampler::cool
+(
+    int m,
+    const beamStart& start,
+    plumeLanes& l
+) const
+{
+    const bool beams = setup_.source->isAnalytic();
+    const radiativeCooling& cooling = *setup_.cooling;
+    if (setup_.temperature == temperatureMethod::euler)
+    {
+        if (beams)
+        {
+            std::fill_n(l.T, m, start.T);
+            std::fill_n(l.y, m, start.y);
+            std::fill_n(l.rate, m, start.rate);
+        }
+        stepLanes(m, setup_.deltaT, l);
+    }
+    else if (beams)
+    {
+        coolLanes(m, cooling.table(), start.branch, start.y, start.rate, l);
+    }
+    else
+    {
+        coolLanes(m, cooling.table(), l);
+    }
+    if (cooling.kinked())
+    {
+        for (int i = 0; i < m; ++i)
+        {
+            const radiativeCooling::state s =
+                beams
+              ? radiativeCooling::state
+                {
+                    start.y + start.rate*l.age[i], start.branch
+                }
+              : radiativeCooling::state
+                {
+                    l.y[i] + l.rate[i]*l.age[i], int(l.branch[i])
+                };
+            l.T[i] = cooling.mended(s, l.T[i]);
+        }
+    }
+}
+
+
+void impact::plumeSampler::fly(int m, plumeLanes& l) const
+{
+    if (setup_.gravity)
+    {
+        for (int i = 0; i < m; ++i)
+        {
+            vector3 r, v;
+            nozzleAt(observed_ - l.age[i], r, v);
+            r = r - setup_.gravityCentre
+              + vector3{l.x[0][i], l.x[1][i], l.x[2][i]};
+            v = v + vector3{l.v[0][i], l.v[1][i], l.v[2][i]};
+            setup_.gravity->move(r, v, l.age[i]);
+            r = r + (setup_.gravityCentre - origin_);
+            for (int d = 0; d < 3; ++d)
+            {
+                l.x[d][i] = r[d];
+            }
+        }
+        return;
+    }
+    nozzleShape nozzle;
+    for (int d = 0; d < 3; ++d)
+    {
+        nozzle.position[d] = setup_.position[d];
+        nozzle.velocity[d] = setup_.velocity[d];
+        nozzle.acceleration[d] = setup_.acceleration[d];
+        nozzle.origin[d] = origin_[d];
+    }
+    nozzle.observed = observed_;
+    flyStraight(m, nozzle, l);
+}
+
+
 void impact::plumeSampler::sampleBlock
 (
     int group,
@@ -297,43 +463,10 @@ void impact::plumeSampler::sampleBlock
     plumeStatistics& result
 ) const
 {
-    const plumeSource& source = *setup_.source;
-    const radiativeCooling& cooling = *setup_.cooling;
     const emissionTime time = {duration_, observed_};
+    const bool beams = setup_.source->isAnalytic();
+    const beamStart start = beams ? startOf(group) : beamStart{};
     plumeLanes& l = w.lanes;
-
-    beamShape shape = {};
-    double y = 0, rate = 0, T0 = 0;
-    int branch = 0;
-    if (source.isAnalytic())
-    {
-        const plumeSource::beam& b = source.beams()[group];
-        const double angle = b.spread*M_PI/180;
-        shape.exitRadius = source.exitRadius();
-        shape.speed = b.speed;
-        shape.deviation = b.speedDeviation;
-        if (b.distribution == plumeSource::angleLaw::gaussian)
-        {
-            shape.square = angle*angle;
-            shape.rest = -std::expm1(-2/shape.square);
-        }
-        else
-        {
-            const double s = std::sin(0.5*angle);
-            shape.cone = 2*s*s;
-        }
-        const radiativeCooling::state start = cooling.start(b.temperature);
-        y = start.y;
-        branch = start.branch;
-        rate = cooling.rate(b.diameter);
-        T0 = b.temperature;
-        if (setup_.temperature == temperatureMethod::euler)
-        {
-            y = cooling.eulerHeat(b.diameter);
-            rate = cooling.eulerLoss(b.diameter);
-        }
-    }
-
     for (int from = 0; from < n; from += plumeBatch)
     {
         const int m = std::min(plumeBatch, n - from);
@@ -342,109 +475,17 @@ void impact::plumeSampler::sampleBlock
             setup_.seed, drawPurpose::plume + std::uint32_t(group),
             first + from
         };
-        if (source.isAnalytic())
+        if (beams)
         {
-            emitBeam(m, draws, shape, time, l);
+            emitBeam(m, draws, start.shape, time, l);
         }
         else
         {
             emitTimes(m, draws, time, l);
-            const plumeSource::group& g = source.groups()[group];
-            const readyRecord* records = records_.data() + g.first;
-            const std::int64_t nRecords = std::int64_t(g.last - g.first);
-            for (int i = 0; i < m; ++i)
-            {
-                // One number chooses the place, and in it record or alias
-                const double u = l.choice[i]*double(nRecords);
-                const std::int64_t place =
-                    std::min(std::int64_t(u), nRecords - 1);
-                const readyRecord& here = records[place];
-                const readyRecord& r =
-                    u - double(place) < here.keep
-                  ? here : records[here.alias];
-                for (int d = 0; d < 3; ++d)
-                {
-                    l.x[d][i] = r.x[d];
-                    l.v[d][i] = r.v[d];
-                }
-                l.y[i] = r.y;
-                l.rate[i] = r.rate;
-                l.branch[i] = r.branch;
-                l.T[i] = r.T;
-            }
-            if (source.smoothing() > 0)
-            {
-                smoothVelocities(m, draws, source.smoothing(), l);
-            }
-            if (source.axisymmetric())
-            {
-                turnLanes(m, draws, l);
-            }
+            takeRecords(group, m, draws, l);
         }
-
-        if (setup_.temperature == temperatureMethod::euler)
-        {
-            if (source.isAnalytic())
-            {
-                std::fill_n(l.T, m, T0);
-                std::fill_n(l.y, m, y);
-                std::fill_n(l.rate, m, rate);
-            }
-            stepLanes(m, setup_.deltaT, l);
-        }
-        else if (source.isAnalytic())
-        {
-            coolLanes(m, cooling.table(), branch, y, rate, l);
-        }
-        else
-        {
-            coolLanes(m, cooling.table(), l);
-        }
-        if (cooling.kinked())
-        {
-            for (int i = 0; i < m; ++i)
-            {
-                const radiativeCooling::state s =
-                    source.isAnalytic()
-                  ? radiativeCooling::state{y + rate*l.age[i], branch}
-                  : radiativeCooling::state
-                    {
-                        l.y[i] + l.rate[i]*l.age[i], int(l.branch[i])
-                    };
-                l.T[i] = cooling.mended(s, l.T[i]);
-            }
-        }
-
-        if (setup_.gravity)
-        {
-            for (int i = 0; i < m; ++i)
-            {
-                vector3 r, v;
-                nozzleAt(observed_ - l.age[i], r, v);
-                r = r - setup_.gravityCentre
-                  + vector3{l.x[0][i], l.x[1][i], l.x[2][i]};
-                v = v + vector3{l.v[0][i], l.v[1][i], l.v[2][i]};
-                setup_.gravity->move(r, v, l.age[i]);
-                r = r + (setup_.gravityCentre - origin_);
-                for (int d = 0; d < 3; ++d)
-                {
-                    l.x[d][i] = r[d];
-                }
-            }
-        }
-        else
-        {
-            nozzleShape nozzle;
-            for (int d = 0; d < 3; ++d)
-            {
-                nozzle.position[d] = setup_.position[d];
-                nozzle.velocity[d] = setup_.velocity[d];
-                nozzle.acceleration[d] = setup_.acceleration[d];
-                nozzle.origin[d] = origin_[d];
-            }
-            nozzle.observed = observed_;
-            flyStraight(m, nozzle, l);
-        }
+        cool(m, start, l);
+        fly(m, l);
         result.add(group, m, l.x[0], l.x[1], l.x[2], l.T);
     }
 }

@@ -142,6 +142,83 @@ void checkClosedAndConvex(const surface& s, double size)
     }
 }
 
+
+//- Volume, centre and second moments about it of a closed surface, by
+//  tetrahedra with the origin
+struct surfaceMoments
+{
+    double volume6;
+    vector3 centre;
+    Eigen::Matrix3d second;
+
+    explicit surfaceMoments(const surface& s)
+    :
+        volume6(0),
+        centre{0, 0, 0},
+        second(Eigen::Matrix3d::Zero())
+    {
+        vector3 first = {0, 0, 0};
+        for (const auto& face : s.faces)
+        {
+            for (std::size_t k = 2; k < face.size(); ++k)
+            {
+                const vector3& a = s.points[face[0]];
+                const vector3& b = s.points[face[k - 1]];
+                const vector3& c = s.points[face[k]];
+                const double det = dot(a, cross(b, c));
+                const vector3 sum = a + b + c;
+                volume6 += det;
+                first = first + det/4*sum;
+                for (int i = 0; i < 3; ++i)
+                {
+                    for (int j = 0; j < 3; ++j)
+                    {
+                        second(i, j) += det/20
+                           *(a[i]*a[j] + b[i]*b[j] + c[i]*c[j] + sum[i]*sum[j]);
+                    }
+                }
+            }
+        }
+        if (!(volume6 > 0))
+        {
+            return;
+        }
+        centre = (1/volume6)*first;
+        second /= volume6;
+        for (int i = 0; i < 3; ++i)
+        {
+            for (int j = 0; j < 3; ++j)
+            {
+                second(i, j) -= centre[i]*centre[j];
+            }
+        }
+    }
+
+    //- Turn the second moments into their principal frame. Axes that are
+    //  principal already are kept in their order.
+    //  \return axes
+    Eigen::Matrix3d diagonalise()
+    {
+        Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+        const double off = std::max
+        ({
+            std::fabs(second(0, 1)), std::fabs(second(1, 2)),
+            std::fabs(second(2, 0))
+        });
+        if (off > 1e-13*second.trace())
+        {
+            Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(second);
+            axes = solver.eigenvectors();
+            if (axes.determinant() < 0)
+            {
+                axes.col(2) *= -1;
+            }
+            second = axes.transpose()*second*axes;
+        }
+        return axes;
+    }
+};
+
 } // End anonymous namespace
 
 
@@ -276,32 +353,8 @@ void impact::convexBody::setPolyhedron(surface s)
         );
     }
 
-    // Volume, first and second moments: sums over tetrahedra with the origin
-    double volume6 = 0;
-    vector3 first = {0, 0, 0};
-    Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
-    for (const auto& face : s.faces)
-    {
-        for (std::size_t k = 2; k < face.size(); ++k)
-        {
-            const vector3& a = s.points[face[0]];
-            const vector3& b = s.points[face[k - 1]];
-            const vector3& c = s.points[face[k]];
-            const double det = dot(a, cross(b, c));
-            const vector3 sum = a + b + c;
-            volume6 += det;
-            first = first + det/4*sum;
-            for (int i = 0; i < 3; ++i)
-            {
-                for (int j = 0; j < 3; ++j)
-                {
-                    second(i, j) += det/20
-                       *(a[i]*a[j] + b[i]*b[j] + c[i]*c[j] + sum[i]*sum[j]);
-                }
-            }
-        }
-    }
-    if (volume6 < -1e-9*size*size*size)
+    surfaceMoments moments(s);
+    if (moments.volume6 < -1e-9*size*size*size)
     {
         throw std::invalid_argument
         (
@@ -310,41 +363,15 @@ void impact::convexBody::setPolyhedron(surface s)
         );
     }
     checkClosedAndConvex(s, size);
-    if (!(volume6 > 0))
+    if (!(moments.volume6 > 0))
     {
         throw std::invalid_argument("the polyhedron has no volume");
     }
 
-    const vector3 centre = (1/volume6)*first;
-    second /= volume6;
-    for (int i = 0; i < 3; ++i)
-    {
-        for (int j = 0; j < 3; ++j)
-        {
-            second(i, j) -= centre[i]*centre[j];
-        }
-    }
-
-    // Axes that are principal already are kept in their order
-    Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
-    const double off = std::max
-    ({
-        std::fabs(second(0, 1)), std::fabs(second(1, 2)),
-        std::fabs(second(2, 0))
-    });
-    if (off > 1e-13*second.trace())
-    {
-        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(second);
-        axes = solver.eigenvectors();
-        if (axes.determinant() < 0)
-        {
-            axes.col(2) *= -1;
-        }
-        second = axes.transpose()*second*axes;
-    }
-
+    const Eigen::Matrix3d axes = moments.diagonalise();
+    const Eigen::Matrix3d& second = moments.second;
     shape_ = shapeType::polyhedron;
-    volume_ = volume6/6;
+    volume_ = moments.volume6/6;
     inertia_ =
     {
         second(1, 1) + second(2, 2),
@@ -353,7 +380,7 @@ void impact::convexBody::setPolyhedron(surface s)
     };
     for (vector3& p : s.points)
     {
-        const vector3 d = p - centre;
+        const vector3 d = p - moments.centre;
         for (int i = 0; i < 3; ++i)
         {
             p[i] = d.x*axes(0, i) + d.y*axes(1, i) + d.z*axes(2, i);
@@ -361,7 +388,25 @@ void impact::convexBody::setPolyhedron(surface s)
         }
         radius_ = std::max(radius_, mag(p));
     }
+    setSpokes(setEdges(s));
+    setSymmetryAxis();
+    isBox_ = vertices_.size() == 8;
+    for (const vector3& v : vertices_)
+    {
+        for (int i = 0; i < 3; ++i)
+        {
+            isBox_ = isBox_
+             && std::fabs(std::fabs(v[i]) - semiAxes_[i]) < 1e-14*radius_;
+        }
+    }
+}
 
+
+std::vector<impact::convexBody::edge> impact::convexBody::setEdges
+(
+    const surface& s
+)
+{
     // Edges between coplanar faces (a triangulated surface) are none of the
     // body's; nor are vertices that lie inside a face
     std::map<edge, std::vector<int>> facesOf;
@@ -398,18 +443,12 @@ void impact::convexBody::setPolyhedron(surface s)
             between.push_back(faces);
         }
     }
-    setSymmetryAxis();
+    return between;
+}
 
-    isBox_ = vertices_.size() == 8;
-    for (const vector3& v : vertices_)
-    {
-        for (int i = 0; i < 3; ++i)
-        {
-            isBox_ = isBox_
-             && std::fabs(std::fabs(v[i]) - semiAxes_[i]) < 1e-14*radius_;
-        }
-    }
 
+void impact::convexBody::setSpokes(const std::vector<edge>& between)
+{
     const auto padded = [](std::size_t n) { return (n + 7)/8*8; };
     for (int axis = 0; axis < 3; ++axis)
     {
