@@ -159,7 +159,7 @@ void Foam::SpinningCloud<CloudType>::prepareMotion()
         "dispersedPhase", "impactRecords", "surfaceImpact",
         "particleErosion", "patchPostProcessing"
     };
-    watched_ = collisions_.valid();
+    watched_ = false;
     for (const auto& function : this->functions())
     {
         watched_ = watched_ || !ofWalls.found(function.type());
@@ -400,6 +400,29 @@ void Foam::SpinningCloud<CloudType>::evolve()
 
 
 template<class CloudType>
+template<class Next, class Rest>
+void Foam::SpinningCloud<CloudType>::moveInBlocks
+(
+    typename parcelType::trackingData& td,
+    const Next& next,
+    const Rest& rest
+)
+{
+    typedef SpinningCloud<CloudType> cloud;
+    if (coreForce_.valid())
+    {
+        BlockMotion<cloud, spinningCoreForce>(*this, td, coreForce_())
+            .move(next, rest);
+    }
+    else
+    {
+        BlockMotion<cloud, heatedForce<spinningCoreForce>>
+            (*this, td, heatedCoreForce_()).move(next, rest);
+    }
+}
+
+
+template<class CloudType>
 template<class TrackCloudType>
 void Foam::SpinningCloud<CloudType>::motion
 (
@@ -418,27 +441,30 @@ void Foam::SpinningCloud<CloudType>::motion
         collisions_->motion(td);
         this->updateCellOccupancy();
     }
-    else if
-    (
-        (coreForce_.valid() || heatedCoreForce_.valid()) && !watched()
-    )
+    else if (movesInBlocks())
     {
         // Those that have arrived step aside for those that go on one by one
         IDLList<parcelType> rest, arrived;
-        if (coreForce_.valid())
-        {
-            BlockMotion<spinningCloudType, spinningCoreForce>
-            (
-                *this, td, coreForce_()
-            ).move(rest);
-        }
-        else
-        {
-            BlockMotion<spinningCloudType, heatedForce<spinningCoreForce>>
-            (
-                *this, td, heatedCoreForce_()
-            ).move(rest);
-        }
+        auto next = this->begin();
+        const auto last = this->end();
+        moveInBlocks
+        (
+            td,
+            [&]() -> parcelType*
+            {
+                if (next == last)
+                {
+                    return nullptr;
+                }
+                parcelType& p = next();
+                ++next;
+                return &p;
+            },
+            [&](parcelType* p)
+            {
+                rest.append(this->remove(p));
+            }
+        );
         arrived.transfer(*this);
         this->IDLList<parcelType>::transfer(rest);
         CloudType::motion(cloud, td);

@@ -9,19 +9,20 @@
 // * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * * //
 
 template<class ParcelType>
-Foam::SpinningParcel<ParcelType>::place::place(const particle& p)
+Foam::SpinningParcel<ParcelType>::place::place(const SpinningParcel& p)
 :
     coordinates(p.coordinates()),
     cell(p.cell()),
     tetFace(p.tetFace()),
     tetPt(p.tetPt()),
     face(p.face()),
-    stepFraction(p.stepFraction())
+    stepFraction(p.stepFraction()),
+    where(p.inFlight())
 {}
 
 
 template<class ParcelType>
-void Foam::SpinningParcel<ParcelType>::place::restore(particle& p) const
+void Foam::SpinningParcel<ParcelType>::place::restore(SpinningParcel& p) const
 {
     const_cast<barycentric&>(p.coordinates()) = coordinates;
     p.cell() = cell;
@@ -29,6 +30,7 @@ void Foam::SpinningParcel<ParcelType>::place::restore(particle& p) const
     p.tetPt() = tetPt;
     p.face() = face;
     p.stepFraction() = stepFraction;
+    p.inFlight() = where;
     foamCompat::forgetTrack(p);
 }
 

@@ -44,20 +44,22 @@ void Foam::BlockMotion<CloudType, Force>::release(const int i)
     auto& flight = p.inFlight();
     flight.x = impact::motionBlock::of(block_.now.x, i);
     flight.cell = cell_[i];
-    flight.begun = f.begin;
+    flight.begun = f.begin < 1 ? f.begin : 0;
     flight.nForces = f.begin < 1 ? f.nForces : 0;
     flight.hTry = f.begin < 1 ? block_.hTry[i] : GREAT;
     p.stepFraction() = f.begin;
     if (f.place >= 0)
     {
         // Some tetrahedron of the cell, for whoever asks
-        p.cell() = cells_.meshCell(cell_[i]);
+        const label meshCelli = cells_.meshCell(cell_[i]);
         const label facei = cells_.meshFace(f.place);
-        if (facei >= 0)
+        if (facei >= 0 || p.cell() != meshCelli)
         {
-            p.tetFace() = facei;
+            p.tetFace() =
+                facei >= 0 ? facei : cells_.mesh().cells()[meshCelli][0];
             p.tetPt() = 1;
         }
+        p.cell() = meshCelli;
     }
 }
 
@@ -300,37 +302,38 @@ Foam::BlockMotion<CloudType, Force>::BlockMotion
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<class CloudType, class Force>
-void Foam::BlockMotion<CloudType, Force>::move(IDLList<parcelType>& rest)
+template<class Next, class Rest>
+void Foam::BlockMotion<CloudType, Force>::move
+(
+    const Next& next,
+    const Rest& rest
+)
 {
-    auto next = cloud_.begin();
-    const auto last = cloud_.end();
+    parcelType* p = next();
     const char* before = nullptr;
     int n = 0;
     while (true)
     {
-        while (n < size && next != last)
+        for (; n < size && p; p = next())
         {
-            parcelType& p = next();
-            ++next;
-
             // The walk through the list waits for the memory of each parcel.
             // Parcels that were injected together mostly lie one behind the
             // other: have those ready that come next if it is so.
-            const char* here = reinterpret_cast<const char*>(&p);
+            const char* here = reinterpret_cast<const char*>(p);
             const char* ahead = here + 8*(here - before);
             before = here;
             for (std::size_t line = 0; line < sizeof(parcelType); line += 64)
             {
                 __builtin_prefetch(ahead + line, 1);
             }
-            if (p.active())
+            if (p->active())
             {
-                take(n++, p);
+                take(n++, *p);
             }
             else
             {
-                p.stepFraction() = 1;
-                p.age() += trackTime_;
+                p->stepFraction() = 1;
+                p->age() += trackTime_;
             }
         }
         if (n == 0)
@@ -349,7 +352,7 @@ void Foam::BlockMotion<CloudType, Force>::move(IDLList<parcelType>& rest)
             release(i);
             if (f.begin < 1)
             {
-                rest.append(cloud_.remove(f.parcel));
+                rest(f.parcel);
             }
             --n;
             if (i < n)

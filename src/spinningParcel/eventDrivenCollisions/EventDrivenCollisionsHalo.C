@@ -124,9 +124,39 @@ void Foam::EventDrivenCollisions<CloudType>::gather(std::vector<Item>& items)
 
 
 template<class CloudType>
+void Foam::EventDrivenCollisions<CloudType>::moveInBlocks()
+{
+    std::size_t i = 0;
+    cloud_.moveInBlocks
+    (
+        *td_,
+        [&]() -> parcelType*
+        {
+            while (i < flights_.size())
+            {
+                flight& f = flights_[i++];
+                if (f.parcel)
+                {
+                    f.start = typename plannedCloud::state(*f.parcel);
+                    return f.parcel;
+                }
+            }
+            return nullptr;
+        },
+        [](parcelType*){}
+    );
+}
+
+
+template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::planAll()
 {
     const label rank = Pstream::myProcNo();
+    const bool inBlocks = !planned_.watched() && cloud_.movesInBlocks();
+    if (inBlocks)
+    {
+        moveInBlocks();
+    }
     trajectories_.clear();
     grow(trajectories_, flights_.size());
     for (std::size_t i = 0; i < flights_.size(); ++i)
@@ -138,6 +168,10 @@ void Foam::EventDrivenCollisions<CloudType>::planAll()
         }
         mission m(PLAN, 0);
         trajectory c;
+        if (inBlocks)
+        {
+            beginPlan(f, m);
+        }
         c.handedOn = !plan(f, m);
         c.identity = identityOf(*f.parcel);
         c.radius = 0.5*f.parcel->d();

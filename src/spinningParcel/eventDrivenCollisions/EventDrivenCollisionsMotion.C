@@ -40,6 +40,21 @@ bool Foam::EventDrivenCollisions<CloudType>::proceed(flight& f, mission& m)
 
 
 template<class CloudType>
+void Foam::EventDrivenCollisions<CloudType>::beginPlan(flight& f, mission& m)
+{
+    m.begun = true;
+    m.resting = false;
+    m.boundary = false;
+    m.end = deltaT_;
+    m.path.x = toCore(solved(f.placed ? f.x : f.parcel->position()));
+    m.path.v = toCore(solved(f.start.U));
+    m.path.a = impact::vector3{0, 0, 0};
+    m.path.start = m.t;
+    f.placed = false;
+}
+
+
+template<class CloudType>
 bool Foam::EventDrivenCollisions<CloudType>::plan(flight& f, mission& m)
 {
     parcelType& p = *f.parcel;
@@ -47,16 +62,8 @@ bool Foam::EventDrivenCollisions<CloudType>::plan(flight& f, mission& m)
     f.firstRecord = planned_.size();
     if (!m.begun)
     {
-        m.begun = true;
-        m.resting = false;
-        m.boundary = false;
-        m.end = deltaT_;
-        m.path.x = toCore(solved(f.placed ? f.x : p.position()));
-        m.path.v = toCore(solved(p.U()));
-        m.path.a = impact::vector3{0, 0, 0};
-        m.path.start = m.t;
-        f.placed = false;
         f.start = typename plannedCloud::state(p);
+        beginPlan(f, m);
     }
     if (p.stepFraction() < 1)
     {
@@ -72,28 +79,35 @@ bool Foam::EventDrivenCollisions<CloudType>::plan(flight& f, mission& m)
     f.lastRecord = planned_.size();
     if (moves)
     {
-        m.end = p.stepFraction() < 1 ? p.stepFraction()*deltaT_ : deltaT_;
-
-        // Round-off of positions must not look like an acceleration
-        const scalar h = m.end - m.path.start;
-        const point end = solved(p.position());
-        const vector bend =
-            end - fromCore(m.path.x) - h*fromCore(m.path.v);
-        if
-        (
-            cmptMax(cmptMag(bend)) > 1e-14*cmptMax(cmptMag(end))
-         && h > 1e-9*deltaT_
-        )
-        {
-            m.path.a = toCore(2/sqr(h)*bend);
-        }
-        if (h > 1e-9*deltaT_)
-        {
-            // The bend of a short way is the error of its ends
-            m.pull = mag(solved(p.U()) - fromCore(m.path.v))/h;
-        }
+        endPlan(f, m);
     }
     return true;
+}
+
+
+template<class CloudType>
+void Foam::EventDrivenCollisions<CloudType>::endPlan(flight& f, mission& m)
+{
+    const parcelType& p = *f.parcel;
+    m.end = p.stepFraction() < 1 ? p.stepFraction()*deltaT_ : deltaT_;
+
+    // Round-off of positions must not look like an acceleration
+    const scalar h = m.end - m.path.start;
+    const point end = solved(p.position());
+    const vector bend = end - fromCore(m.path.x) - h*fromCore(m.path.v);
+    if
+    (
+        cmptMax(cmptMag(bend)) > 1e-14*cmptMax(cmptMag(end))
+     && h > 1e-9*deltaT_
+    )
+    {
+        m.path.a = toCore(2/sqr(h)*bend);
+    }
+    if (h > 1e-9*deltaT_)
+    {
+        // The bend of a short way is the error of its ends
+        m.pull = mag(solved(p.U()) - fromCore(m.path.v))/h;
+    }
 }
 
 
@@ -113,6 +127,7 @@ template<class CloudType>
 bool Foam::EventDrivenCollisions<CloudType>::rest(flight& f, mission& m)
 {
     parcelType& p = *f.parcel;
+    land(p);
     const scalar pause = min(restShare*deltaT_, deltaT_ - m.t);
     const bool home = !m.begun;
     if (home)
@@ -168,6 +183,7 @@ template<class CloudType>
 bool Foam::EventDrivenCollisions<CloudType>::endRest(flight& f, mission& m)
 {
     parcelType& p = *f.parcel;
+    land(p);
     const scalar pause = m.t - m.path.start;
     if (pause > 0)
     {
@@ -242,6 +258,7 @@ bool Foam::EventDrivenCollisions<CloudType>::arrive(flight& f, mission& m)
     {
         return solved(fromCore(m.path.position(m.t)) - p.position());
     };
+    land(p);
     p.track(away(), 0);
     if (p.onBoundaryFace() && !atPass(p))
     {
@@ -280,6 +297,7 @@ bool Foam::EventDrivenCollisions<CloudType>::displace(flight& f, mission& m)
     parcelType& p = *f.parcel;
     if (magSqr(m.way) > 0)
     {
+        land(p);
         m.left *= p.track(m.left*m.way, 0);
         if (m.left > 0 && atPass(p) && m.hops < maxHops)
         {
