@@ -9,6 +9,8 @@
 namespace
 {
 
+using namespace impact;
+
 //- Root in [low, high] of a continuous function of opposite signs at the ends:
 //  Newton's steps, bisection where they leave the bracket or lag
 //  \param f  gives the value and sets the derivative
@@ -98,6 +100,115 @@ int quadraticRoots
     return n;
 }
 
+//- p = |s + v t + a t^2/2|^2 - sigma^2, negative where spheres overlap
+class gapOnParabolas
+{
+    const vector3 s_, v_, a_;
+    const double sigma2_;
+
+    // p' = c[0] + c[1] t + c[2] t^2 + c[3] t^3
+    const double c_[4];
+
+public:
+
+    gapOnParabolas
+    (
+        const vector3& s,
+        const vector3& v,
+        const vector3& a,
+        double sigma
+    )
+    :
+        s_(s),
+        v_(v),
+        a_(a),
+        sigma2_(sigma*sigma),
+        c_
+        {
+            2*dot(s, v), 2*(dot(v, v) + dot(s, a)), 3*dot(v, a), dot(a, a)
+        }
+    {}
+
+    double operator()(double t) const
+    {
+        const vector3 x = s_ + t*(v_ + (0.5*t)*a_);
+        return dot(x, x) - sigma2_;
+    }
+
+    //- p'
+    double rate(double t) const
+    {
+        return c_[0] + t*(c_[1] + t*(c_[2] + t*c_[3]));
+    }
+
+    //- Where p' has a value, between two times with that value between theirs
+    double timeOfRate(double low, double high, double level) const
+    {
+        return bracketedRoot
+        (
+            [&](double t, double& slope)
+            {
+                slope = c_[1] + t*(2*c_[2] + t*3*c_[3]);
+                return rate(t) - level;
+            },
+            low, high, rate(low) - level
+        );
+    }
+
+    //- Ends of the intervals of (0, end) in which p' is monotone
+    //  \return their number
+    int monotone(double end, double ends[4]) const
+    {
+        double bends[2];
+        const int n = quadraticRoots(3*c_[3], 2*c_[2], c_[1], end, bends);
+        ends[0] = 0;
+        std::copy_n(bends, n, ends + 1);
+        ends[n + 1] = end;
+        return n + 2;
+    }
+
+    //- Contact within an approach, or never
+    //  \param touching  p at most this: the pair touches, and collides once
+    //      p' is below \c fast
+    //  \param last  a contact at the very end counts
+    double contact
+    (
+        double from,
+        double to,
+        double touching,
+        double fast,
+        bool last
+    ) const
+    {
+        const double before = (*this)(from);
+        if (before <= touching)
+        {
+            const double rateFrom = rate(from);
+            if (rateFrom <= fast && rateFrom < 0)
+            {
+                return from;
+            }
+            return
+                !(rate(to) < fast) ? never
+              : fast == 0 ? from : timeOfRate(from, to, fast);
+        }
+        const double after = (*this)(to);
+        if (!(after < 0 || (after == 0 && last)))
+        {
+            return never;
+        }
+        return bracketedRoot
+        (
+            [&](double t, double& slope)
+            {
+                slope = rate(t);
+                return (*this)(t);
+            },
+            from, to, before
+        );
+    }
+};
+
 } // End anonymous namespace
 
 
@@ -149,48 +260,14 @@ double impact::parabolicContact
         return never;
     }
 
-    // p' = c[0] + c[1] t + c[2] t^2 + c[3] t^3
-    const double c[4] =
-        {2*dot(s, v), 2*(v2 + dot(s, a)), 3*dot(v, a), a2};
-    auto rate = [&](double t)
-    {
-        return c[0] + t*(c[1] + t*(c[2] + t*c[3]));
-    };
-    auto gap = [&](double t)
-    {
-        const vector3 x = s + t*(v + (0.5*t)*a);
-        return dot(x, x) - sigma2;
-    };
-
-    // Ends of the intervals in which p' is monotone, then of those in which
-    // p is
-    double bends[2];
-    const int nBends = quadraticRoots(3*c[3], 2*c[2], c[1], end, bends);
-    double monotone[4] = {0};
-    for (int i = 0; i < nBends; ++i)
-    {
-        monotone[i + 1] = bends[i];
-    }
-    const int nMonotone = nBends + 2;
-    monotone[nMonotone - 1] = end;
+    const gapOnParabolas gap(s, v, a, sigma);
+    double monotone[4];
+    const int nMonotone = gap.monotone(end, monotone);
 
     // A rate below this counts for a pair that touches
     const double fast = -2*sigma*tolerance.speed;
-    auto rootOfRate = [&](double low, double high, double level)
-    {
-        return bracketedRoot
-        (
-            [&](double t, double& slope)
-            {
-                slope = c[1] + t*(2*c[2] + t*3*c[3]);
-                return rate(t) - level;
-            },
-            low, high, rate(low) - level
-        );
-    };
-
     double approachStart = -1;  // of the current approach, none if negative
-    double lastRate = rate(0);
+    double lastRate = gap.rate(0);
     if (lastRate < 0)
     {
         approachStart = 0;
@@ -198,55 +275,24 @@ double impact::parabolicContact
     for (int i = 0; i + 1 < nMonotone; ++i)
     {
         const double low = monotone[i], high = monotone[i + 1];
-        const double highRate = rate(high);
+        const double highRate = gap.rate(high);
         double approachEnd = high;
         if ((lastRate < 0) != (highRate < 0))
         {
             const double turn =
-                lastRate == 0 ? low : rootOfRate(low, high, 0);
-            if (highRate < 0)
-            {
-                approachStart = turn;
-            }
-            else
-            {
-                approachEnd = turn;
-            }
+                lastRate == 0 ? low : gap.timeOfRate(low, high, 0);
+            (highRate < 0 ? approachStart : approachEnd) = turn;
         }
         if (approachStart >= 0)
         {
-            const double from = std::max(low, approachStart);
-            const double before = gap(from);
-            if (before <= touching)
+            const double t = gap.contact
+            (
+                std::max(low, approachStart), approachEnd, touching, fast,
+                approachEnd == end
+            );
+            if (t < never)
             {
-                // It touches: contact once it approaches fast enough
-                const double rateFrom = rate(from);
-                const double rateEnd = rate(approachEnd);
-                if (rateFrom <= fast && rateFrom < 0)
-                {
-                    return from;
-                }
-                if (rateEnd < fast)
-                {
-                    return fast == 0
-                        ? from : rootOfRate(from, approachEnd, fast);
-                }
-            }
-            else
-            {
-                const double after = gap(approachEnd);
-                if (after < 0 || (after == 0 && approachEnd == end))
-                {
-                    return bracketedRoot
-                    (
-                        [&](double t, double& slope)
-                        {
-                            slope = rate(t);
-                            return gap(t);
-                        },
-                        from, approachEnd, before
-                    );
-                }
+                return t;
             }
         }
         if (!(highRate < 0))
