@@ -2,16 +2,15 @@
     parcelImpact. License: GPL-3.0-or-later, see COPYING.
 
 Description
-    The drag laws against the formulas as printed, written down a second time
-    in terms of Cd, Re and M and evaluated with 50 digits; figures computed
-    elsewhere; jumps of the published forms; limits; all Re and M; refusals.
+    The drag laws against the formulas as printed (printedDrag.H), figures
+    computed elsewhere, jumps of the published forms, limits, all Re and M,
+    refusals.
 \*---------------------------------------------------------------------------*/
 
 #include "dragLaw.H"
 #include "freeMolecularSphere.H"
+#include "printedDrag.H"
 
-#include <boost/math/special_functions/erf.hpp>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <cmath>
@@ -22,217 +21,10 @@ Description
 #include <vector>
 
 using impact::dragLaw;
+using namespace printedDrag;
 
 namespace
 {
-
-typedef boost::multiprecision::cpp_bin_float_50 number;
-
-const number one = 1;
-const number pi = boost::multiprecision::acos(-one);
-
-//- A number as it is printed, not rounded to double first
-number n(const char* text)
-{
-    return number(text);
-}
-
-
-//- What the printed formulas depend on
-struct state
-{
-    number Re;
-    number M;
-    number g;
-    number tau;
-};
-
-
-number freeMolecular(const state& x)
-{
-    const number s = x.M*sqrt(x.g/2);
-    const number s2 = s*s;
-    return
-        (1 + 2*s2)*exp(-s2)/(s2*s*sqrt(pi))
-      + (4*s2*s2 + 4*s2 - 1)*boost::math::erf(s)/(2*s2*s2)
-      + 2/(3*s)*sqrt(pi*x.tau);
-}
-
-
-number slip(const state& x)
-{
-    const number Kn = sqrt(pi*x.g/2)*x.M/x.Re;
-    return 1 + Kn*(n("2.514") + n("0.8")*exp(-n("0.55")/Kn));
-}
-
-
-number henderson(const state& x)
-{
-    const number s = x.M*sqrt(x.g/2);
-    if (x.M <= 1)
-    {
-        const number ratio =
-            (n("3.65") - n("1.53")*x.tau)/(1 + n("0.353")*x.tau);
-        const number r = n("0.03")*x.Re + n("0.48")*sqrt(x.Re);
-        return
-            24
-           /(
-                x.Re
-              + s*(n("4.33") + ratio*exp(-n("0.247")*x.Re/s))
-            )
-          + exp(-x.M/(2*sqrt(x.Re)))
-           *(
-                (n("4.5") + n("0.38")*r)/(1 + r)
-              + n("0.1")*pow(x.M, 2)
-              + n("0.2")*pow(x.M, 8)
-            )
-          + n("0.6")*s*(1 - exp(-x.M/x.Re));
-    }
-    if (x.M < 1.75)
-    {
-        const number low = henderson({x.Re, 1, x.g, x.tau});
-        const number high = henderson({x.Re, 1.75, x.g, x.tau});
-        return low + 4*(x.M - 1)/3*(high - low);
-    }
-    const number r = n("1.86")*sqrt(x.M/x.Re);
-    return
-        (
-            n("0.9") + n("0.34")/pow(x.M, 2)
-          + r
-           *(
-                2 + 2/pow(s, 2) + n("1.058")/s*sqrt(x.tau)
-              - 1/pow(s, 4)
-            )
-        )
-       /(1 + r);
-}
-
-
-number loth(const state& x, bool continuous)
-{
-    const number& M = x.M;
-    const number stokes = 24/x.Re*(1 + n("0.15")*pow(x.Re, n("0.687")));
-    if (x.Re <= 45)
-    {
-        const number J =
-            M <= 1
-          ? n("2.26") - (continuous ? 0 : n("0.1")/M) + n("0.14")/pow(M, 3)
-          : n("1.6") + n("0.25")/M + n("0.11")/pow(M, 2)
-              + n("0.44")/pow(M, 3);
-        const number Cfm = freeMolecular(x);
-        const number C2 = Cfm/(1 + (Cfm/J - 1)*sqrt(x.Re/45));
-        return (stokes/slip(x) + pow(M, 4)*C2)/(1 + pow(M, 4));
-    }
-    const number C =
-        M < 1.5
-      ? n("1.65") + n("0.65")*tanh(4*M - n("3.4"))
-      : n("2.18")
-      - n(continuous ? "0.12913149918318745" : "0.13")
-       *tanh(n("0.9")*M - n("2.7"));
-    const number G =
-        M < n("0.8")
-      ? 166*pow(M, 3) + n("3.29")*pow(M, 2) - n("10.9")*M + 20
-      : 5 + n(continuous ? "47.8093312" : "40")/pow(M, 3);
-    const number H =
-        M < 1
-      ? n("0.0239")*pow(M, 3) + n("0.212")*pow(M, 2) - n("0.074")*M + 1
-      : n(continuous ? "0.93967777777777772" : "0.93")
-          + 1/(n("3.5") + pow(M, 5));
-    return
-        stokes*H
-      + n("0.42")*C
-       /(1 + 42500*pow(x.Re, -n("1.16")*C) + G/sqrt(x.Re));
-}
-
-
-number singh(const state& x, const number& w, const number& alphaHoc)
-{
-    const number& M = x.M;
-    const number& g = x.g;
-    const number M2 = M*M;
-    const number A0 = 24/(n("9.4")*n("9.4"));
-    const number a0 = n("0.3555");
-    number U = 1, Ts = 1, a = 1, C = 1, Ms2 = M2;
-    if (M > 1)
-    {
-        U = (2 + (g - 1)*M2)/((g + 1)*M2);
-        Ts =
-            ((g - 1)*M2 + 2)*(2*g*M2 - (g - 1))/((g + 1)*(g + 1)*M2);
-        Ms2 = ((g - 1)*M2 + 2)/(2*g*M2 - (g - 1));
-        a = 1/(1 + a0*(M - 1));
-        C =
-            (n("0.9") - A0*pow(1 + (g - 1)*(g - 1)/(4*g), g/(g - 1)))
-           /(1 - (g - 1)/((g + 1)*a0*M));
-    }
-    const number theta = pow(1 + (g - 1)*Ms2/2, g/(g - 1));
-    const number R =
-        x.Re*pow(1/(a*a*Ts), w)*pow(theta, (g + 1)/(2*g) - (g - 1)*w/g);
-    const number Cc =
-        C*(1 - a*U) + A0*theta*pow(1 + n("9.4")/sqrt(R), 2);
-    number W = pow(M, 2*w)/x.Re;
-    if (M > 1)
-    {
-        W *= pow(1 + x.tau/Ts, w);
-    }
-    const number f = 1/(slip(x)*(1 + alphaHoc*W));
-    const number B = W*(pow(M, 2*w - 1) + 1)/pow(M, 2*w - 1);
-    const number B18 = pow(B, n("1.8"));
-    return (Cc*f + freeMolecular(x)*B18)/(1 + B18);
-}
-
-
-number haiderLevenspiel(const number& Re, const number& p)
-{
-    const number A =
-        exp(n("2.3288") - n("6.4581")*p + n("2.4486")*p*p);
-    const number B = n("0.0964") + n("0.5565")*p;
-    const number C = exp
-    (
-        n("4.905") - n("13.8944")*p + n("18.4222")*p*p - n("10.2599")*p*p*p
-    );
-    const number D = exp
-    (
-        n("1.4681") + n("12.2584")*p - n("20.7322")*p*p + n("15.8855")*p*p*p
-    );
-    return 24/Re*(1 + A*pow(Re, B)) + C/(1 + D/Re);
-}
-
-
-number holzerSommerfeld
-(
-    const number& Re,
-    const number& p,
-    const number& crosswise,
-    const number& lengthwise
-)
-{
-    return
-        8/Re/sqrt(lengthwise)
-      + 16/Re/sqrt(p)
-      + 3/sqrt(Re)/pow(p, n("0.75"))
-      + n("0.42")*pow(number(10), n("0.4")*pow(-log10(p), n("0.2")))
-       /crosswise;
-}
-
-
-number ganserK2(const number& p)
-{
-    return pow(number(10), n("1.8148")*pow(-log10(p), n("0.5743")));
-}
-
-
-number ganser(const number& Re, const number& p, const number& dnOverdv)
-{
-    const number K1 = 1/(dnOverdv/3 + n("2")/3/sqrt(p));
-    const number K2 = ganserK2(p);
-    const number X = Re*K1*K2;
-    return K2*
-    (
-        24/X*(1 + n("0.1118")*pow(X, n("0.6567")))
-      + n("0.4305")/(1 + 3305/X)
-    );
-}
-
 
 std::unique_ptr<dragLaw> make
 (
