@@ -11,8 +11,23 @@
 namespace
 {
 
-constexpr double tolerance = 1e-11;
+//- Of a step of the series, by the slip at its start
+constexpr double tolerance = 2e-9;
+
+//- Of the end of slip
+constexpr double fine = 1e-11;
+
 constexpr double infinity = std::numeric_limits<double>::infinity();
+
+
+//- The n-th root, up to 1 % too large and 6 % too small, alike on every
+//  machine: its binary logarithm is read off the bits
+double roughRoot(double x, int n)
+{
+    const std::int64_t one = __builtin_bit_cast(std::int64_t, 1.);
+    const std::int64_t bits = __builtin_bit_cast(std::int64_t, x);
+    return 0.95*__builtin_bit_cast(double, one + (bits - one)/n);
+}
 
 
 //- Directions to bracket others between
@@ -50,6 +65,8 @@ impact::frictionImpact::slipRates impact::frictionImpact::rates
     const double v2 = c_.f2 - c_.mu*(c_.k12*c + c_.k22*s);
     return
     {
+        c,
+        s,
         c*v1 + s*v2,
         c*v2 - s*v1,
         c_.mu*((c_.k11 - c_.k22)*(c*c - s*s) + 4*c_.k12*c*s)
@@ -58,48 +75,75 @@ impact::frictionImpact::slipRates impact::frictionImpact::rates
 }
 
 
-void impact::frictionImpact::expand()
+void impact::frictionImpact::tangential
+(
+    double x,
+    double y,
+    double p,
+    double& S1,
+    double& S2
+) const
 {
-    // The magnitude s of slip from s^2 = x^2 + y^2, order by order
+    // (x, y) = f p + k S
+    const double inverse = 1/(c_.k11*c_.k22 - c_.k12*c_.k12);
+    const double b1 = x - c_.f1*p, b2 = y - c_.f2*p;
+    S1 = inverse*(c_.k22*b1 - c_.k12*b2);
+    S2 = inverse*(c_.k11*b2 - c_.k12*b1);
+}
+
+
+double impact::frictionImpact::normalRate(const state& q) const
+{
+    return c_.a*q[slip] - c_.mu*(c_.f1*q[slipX] + c_.f2*q[slipY]);
+}
+
+
+void impact::frictionImpact::expand(const slipRates& now)
+{
+    // The magnitude of slip from |t|^2 = x^2 + y^2, order by order: it is that
+    // of t along the first direction, and a rest made of earlier terms. So one
+    // order follows from the one before by a matrix, and none waits long
     auto& z = terms_;
     std::copy_n(q_, nColumns, z[0]);
+    const double c = now.c, s = now.s, mu = c_.mu;
     const double inverse = 1/q_[slip];
-    const double mu = c_.mu;
+    const double m11 = c_.f1*c - mu*c_.k11, m12 = c_.f1*s - mu*c_.k12;
+    const double m21 = c_.f2*c - mu*c_.k12, m22 = c_.f2*s - mu*c_.k22;
+    const double v1 = c_.a*c - mu*c_.f1, v2 = c_.a*s - mu*c_.f2;
+    double share[order][3];
+    #pragma GCC unroll 16
     for (int n = 0; n < order; ++n)
     {
         double rest = 0, power = 0;
-        if (n > 1 && n % 2 == 0)
+        #pragma GCC unroll 8
+        for (int k = n/2; k > 0; --k)
         {
-            const state& p = z[n/2];
-            rest = 0.5
-               *(p[slipX]*p[slipX] + p[slipY]*p[slipY] - p[slip]*p[slip]);
-            power = p[normal]*p[slip];
-        }
-        for (int k = (n - 1)/2; k >= 1; --k)
-        {
+            const double twice = 2*k < n ? 1 : 0.5;
             const state& p = z[k];
             const state& q = z[n - k];
-            rest += p[slipX]*q[slipX] + p[slipY]*q[slipY] - p[slip]*q[slip];
-            power += p[normal]*q[slip] + q[normal]*p[slip];
+            rest += twice
+               *(
+                    share[k][0]*q[slipX] + share[k][1]*q[slipY]
+                  - share[k][2]*q[slip]
+                );
+            power += twice*(p[normal]*q[slip] + q[normal]*p[slip]);
         }
         const double x = z[n][slipX], y = z[n][slipY];
-        if (n > 0)
-        {
-            z[n][slip] = inverse
-               *(z[0][slipX]*x + z[0][slipY]*y + rest);
-            power += z[n][normal]*z[0][slip];
-        }
-        const double s = z[n][slip];
-        power += z[0][normal]*s;
+        const double all = n > 0 ? c*x + s*y + rest : z[0][slip];
         const double unit = 1./(n + 1);
         state& next = z[n + 1];
-        next[slipX] = unit*(c_.f1*s - mu*(c_.k11*x + c_.k12*y));
-        next[slipY] = unit*(c_.f2*s - mu*(c_.k12*x + c_.k22*y));
+        z[n][slip] = all;
+        share[n][0] = inverse*x;
+        share[n][1] = inverse*y;
+        share[n][2] = inverse*all;
+        next[slipX] = unit*m11*x + unit*m12*y + unit*c_.f1*rest;
+        next[slipY] = unit*m21*x + unit*m22*y + unit*c_.f2*rest;
         next[slip] = 0;
-        next[normal] = unit*(c_.a*s - mu*(c_.f1*x + c_.f2*y));
+        next[normal] = unit*v1*x + unit*v2*y + unit*c_.a*rest;
         next[impulseX] = -unit*mu*x;
         next[impulseY] = -unit*mu*y;
-        next[impulse] = unit*s;
+        next[impulse] = unit*all;
+        power += z[0][normal]*all + (n > 0 ? z[n][normal]*q_[slip] : 0);
         next[work] = unit*power;
     }
 }
@@ -107,76 +151,76 @@ void impact::frictionImpact::expand()
 
 double impact::frictionImpact::range() const
 {
-    static_assert(order == 16, "the root");
-    auto size = [&](int n)
+    auto root = [&](int n)
     {
         const state& z = terms_[n];
-        return std::fabs(z[slipX]) + std::fabs(z[slipY])
-          + std::fabs(z[normal]) + std::fabs(z[impulse]) + 1e-200;
+        const double size = std::fabs(z[slipX]) + std::fabs(z[slipY])
+          + std::fabs(z[normal]) + std::fabs(z[impulse])
+          + std::fabs(z[work]) + 1e-200;
+        return roughRoot(tolerance*q_[slip]/size, n);
     };
-    const double wanted = tolerance*q_[slip];
-    const double last = size(order), before = size(order - 1);
-
-    // Square roots round alike on every machine
-    double h = std::sqrt(std::sqrt(std::sqrt(std::sqrt(wanted/last))));
-    for (;;)
-    {
-        const double h3 = h*h*h, h15 = h3*h3*h3*h3*h3;
-        if (!(h15*std::max(before, h*last) > wanted))
-        {
-            return h;
-        }
-        h *= 0.9;
-    }
+    return std::min(root(order - 1), root(order));
 }
 
 
 void impact::frictionImpact::evaluate(double tau, state& q) const
 {
+    // Even and odd terms: half as many that wait for each other
+    const double square = tau*tau;
+    state odd;
     std::copy_n(terms_[order], nColumns, q);
-    for (int n = order - 1; n >= 0; --n)
+    std::copy_n(terms_[order - 1], nColumns, odd);
+    for (int n = order - 2; n > 0; n -= 2)
     {
         for (int j = 0; j < nColumns; ++j)
         {
-            q[j] = terms_[n][j] + tau*q[j];
+            q[j] = terms_[n][j] + square*q[j];
+            odd[j] = terms_[n - 1][j] + square*odd[j];
         }
+    }
+    for (int j = 0; j < nColumns; ++j)
+    {
+        q[j] = terms_[0][j] + square*q[j] + tau*odd[j];
     }
     q[slip] = std::sqrt(q[slipX]*q[slipX] + q[slipY]*q[slipY]);
 }
 
 
-double impact::frictionImpact::rising
+template<class Function>
+double impact::frictionImpact::zero
 (
-    column j,
-    double sign,
-    double value,
-    double lo,
-    double hi,
-    double guess
+    sample a,
+    sample b,
+    double margin,
+    const Function& at,
+    state& q
 ) const
 {
-    double t = guess > lo && guess < hi ? guess : 0.5*(lo + hi);
-    for (int i = 0; i < 100; ++i)
+    // By the cubic that has the values and the rates of both ends and is one of
+    // the value, or Newton's method
+    double tau = a.tau;
+    for (int i = 0; i < 60; ++i)
     {
-        double e = terms_[order][j], rate = 0;
-        for (int n = order - 1; n >= 0; --n)
+        tau = b.rate > 0 ? b.tau - b.value/b.rate : a.tau;
+        if (a.value < -margin && a.rate > 0 && b.rate > 0)
         {
-            rate = e + t*rate;
-            e = terms_[n][j] + t*e;
+            const double h = b.value - a.value, w = b.tau - a.tau;
+            const double u = -a.value/h, v = b.value/h;
+            tau = a.tau + u*u*(3 - 2*u)*w + h*u*v*(v/a.rate - u/b.rate);
         }
-        e = sign*(e - value);
-        rate *= sign;
-        (e > 0 ? hi : lo) = t;
-        const double step = rate > 0 ? -e/rate : infinity;
-
-        // An error left here comes back squared
-        if (std::fabs(step) <= 1e-7*t)
+        if (!(tau > a.tau && tau < b.tau) || i > 6)
         {
-            return t + step;
+            tau = 0.5*(a.tau + b.tau);
         }
-        t = t + step > lo && t + step < hi ? t + step : 0.5*(lo + hi);
+        evaluate(tau, q);
+        const sample now = at(tau, q);
+        if (std::fabs(now.value) <= margin)
+        {
+            break;
+        }
+        (now.value < 0 ? a : b) = now;
     }
-    return t;
+    return tau;
 }
 
 
@@ -196,16 +240,16 @@ bool impact::frictionImpact::turns(double from, double& h, state& next) const
     // Its rate is a function of the direction of slip, which turns one way and
     // not far: the velocity passes zero at most once, or comes back once
     const double sign = restituting_ ? -1 : 1;
-    auto rate = [&](const state& q)
+    auto velocity = [&](double tau, const state& q)
     {
-        return sign
-           *(c_.a*q[slip] - c_.mu*(c_.f1*q[slipX] + c_.f2*q[slipY]));
+        return sample{tau, sign*q[normal], sign*normalRate(q)};
     };
     evaluate(h, next);
-    const double first = rate(q_);
-    if (!(sign*next[normal] > 0))
+    const sample begin = velocity(from, q_);
+    sample end = velocity(h, next);
+    if (!(end.value > 0))
     {
-        if (!(first > 0 && rate(next) < 0))
+        if (!(begin.rate > 0 && end.rate < 0))
         {
             return false;
         }
@@ -215,45 +259,56 @@ bool impact::frictionImpact::turns(double from, double& h, state& next) const
         {
             const double t = 0.5*(lo + hi);
             evaluate(t, peak);
-            (rate(peak) > 0 ? lo : hi) = t;
+            end = velocity(t, peak);
+            (end.rate > 0 ? lo : hi) = t;
         }
-        if (!(sign*peak[normal] > 0))
+        if (!(end.value > 0))
         {
             return false;
         }
-        h = hi;
     }
-    const double guess = from
-      - (first > 0 ? sign*q_[normal]*q_[slip]/first : infinity);
-    h = rising(normal, sign, 0, from, h, guess);
-    evaluate(h, next);
+
+    // Work does not change there: no need to be close
+ h = zero(begin, end, margin_, velocity, next);
     return true;
 }
 
 
-bool impact::frictionImpact::follow()
+bool impact::frictionImpact::follow(const slipRates& now)
 {
-    expand();
+    expand(now);
     const double end = range();
     for (double from = 0; from < end; )
     {
         double h = end;
         state next;
         const bool turned = turns(from, h, next);
-        if (restituting_)
+            if (restituting_)
         {
+            // The root of the share of the work that is given back rises
+            // almost evenly from the end of compression on
             const double all = kept_*compression_;
+            const double given = all - compression_;
+            auto share = [&](double tau, const state& q)
+            {
+                const double rate = q[normal]*q[slip];
+                const double y =
+                    std::sqrt(positivePart((q[work] - compression_)/given));
+                return sample
+                {
+                    tau, y - 1,
+                    y > 1e-3 ? rate/(2*given*y)
+                      : std::sqrt(positivePart(normalRate(q)*q[slip]/(2*given)))
+                };
+            };
             if (q_[work] >= all)
             {
                 return true;
             }
             if (next[work] >= all)
             {
-                // Nearly a parabola if the velocity has just passed zero
-                const double share =
-                    (all - q_[work])/(next[work] - q_[work]);
-                const double guess = from + (h - from)*std::sqrt(share);
-                evaluate(rising(work, 1, all, from, h, guess), q_);
+                zero(share(from, q_), share(h, next), 1e-9, share, next);
+                std::copy_n(next, nColumns, q_);
                 return true;
             }
         }
@@ -272,14 +327,13 @@ bool impact::frictionImpact::follow()
 }
 
 
-bool impact::frictionImpact::slipEnds()
+bool impact::frictionImpact::slipEnds(slipRates now)
 {
     // The direction that slip tends to is where it would no longer turn, by
     // Newton's method; d is the angle from there to the present one
     const double magnitude = q_[slip], mu = c_.mu;
-    double c = q_[slipX]/magnitude, s = q_[slipY]/magnitude, d = 0;
-    const double first = c_.a - mu*(c_.f1*c + c_.f2*s);
-    slipRates now = rates(c, s);
+    const double first = normalRate(q_)/magnitude;
+    double c = now.c, s = now.s, d = 0;
     if (!(now.growth < 0))
     {
         return false;
@@ -342,7 +396,7 @@ bool impact::frictionImpact::slipEnds()
     Z[0] = 0.5*P[0];
     double sumP = P[0], sumZ = Z[0], left = 1;
     double one = 1, two = 1;        // d^k/k!, (2d)^k/k!
-    for (int k = 1; k <= most && left > tolerance; ++k)
+    for (int k = 1; k <= most && left > fine; ++k)
     {
         one *= d/k;
         two *= 2*d/k;
@@ -364,27 +418,25 @@ bool impact::frictionImpact::slipEnds()
         sumZ += Z[k];
         left = magnitude*(std::fabs(P[k]) + std::fabs(P[k - 1]))/P[0];
     }
-    if (left > tolerance)
+    if (left > fine)
     {
         return false;
     }
 
-    // t + f dp + k dS = 0; the work of friction is -mu Z
+    // The work of friction is -mu Z
     const double more = magnitude*sumP;
-    const double det = c_.k11*c_.k22 - c_.k12*c_.k12;
-    const double b1 = -q_[slipX] - c_.f1*more, b2 = -q_[slipY] - c_.f2*more;
-    const double dS1 = (c_.k22*b1 - c_.k12*b2)/det;
-    const double dS2 = (c_.k11*b2 - c_.k12*b1)/det;
-    const double v = q_[normal] + c_.a*more + c_.f1*dS1 + c_.f2*dS2;
+    double S1, S2;
+    tangential(-q_[slipX], -q_[slipY], more, S1, S2);
+    const double v = q_[normal] + c_.a*more + c_.f1*S1 + c_.f2*S2;
     const double done = q_[work]
-      + 0.5*(dS1*q_[slipX] + dS2*q_[slipY] + more*(q_[normal] + v))
+      + 0.5*(S1*q_[slipX] + S2*q_[slipY] + more*(q_[normal] + v))
       + mu*magnitude*magnitude*sumZ;
     if (restituting_ ? !(v > 0 && done < kept_*compression_) : !(v < 0))
     {
         return false;
     }
-    q_[impulseX] += dS1;
-    q_[impulseY] += dS2;
+    q_[impulseX] += S1;
+    q_[impulseY] += S2;
     q_[impulse] += more;
     q_[normal] = v;
     q_[work] = done;
@@ -442,9 +494,8 @@ void impact::frictionImpact::fromRest()
 {
     // It stays at rest if the cone holds the T of f + k T = 0
     const double mu = c_.mu;
-    const double det = c_.k11*c_.k22 - c_.k12*c_.k12;
-    const double T1 = (c_.k12*c_.f2 - c_.k22*c_.f1)/det;
-    const double T2 = (c_.k12*c_.f1 - c_.k11*c_.f2)/det;
+    double T1, T2;
+    tangential(0, 0, 1, T1, T2);
     if (T1*T1 + T2*T2 <= mu*mu)
     {
         straight(T1, T2, infinity);
@@ -496,23 +547,17 @@ void impact::frictionImpact::fromRest()
 }
 
 
-impact::frictionImpact::frictionImpact
-(
-    const contactResponse& c,
-    double restitution,
-    double x,
-    double y,
-    double v
-)
-:
-    c_(c),
-    kept_(1 - restitution*restitution)
+bool impact::frictionImpact::keepsDirection(const slipRates& now) const
 {
-    q_[slipX] = x;
-    q_[slipY] = y;
-    q_[slip] = std::sqrt(x*x + y*y);
-    q_[normal] = v;
-    if (c.mu == 0)
+    const double turning = std::fabs(now.turning), v = -q_[normal];
+    return turning <= 1e-14*std::fabs(now.growth)
+      || (q_[impulse] == 0 && v > 0 && v*turning < 1e-9*normalRate(q_));
+}
+
+
+void impact::frictionImpact::solve()
+{
+    if (c_.mu == 0)
     {
         straight(0, 0, infinity);
         return;
@@ -525,25 +570,46 @@ impact::frictionImpact::frictionImpact
             fromRest();
             return;
         }
-        const double ex = q_[slipX]/s, ey = q_[slipY]/s;
-        const slipRates now = rates(ex, ey);
-        if (std::fabs(now.turning) <= 1e-14*std::fabs(now.growth))
+        const slipRates now = rates(q_[slipX]/s, q_[slipY]/s);
+        if (keepsDirection(now))
         {
             const double limit = now.growth < 0 ? -s/now.growth : infinity;
-            if (!straight(-c.mu*ex, -c.mu*ey, limit))
+            if (!straight(-c_.mu*now.c, -c_.mu*now.s, limit))
             {
                 fromRest();
             }
             return;
         }
-        if (slipEnds())
+        if (slipEnds(now))
         {
             fromRest();
             return;
         }
-        if (follow())
+        if (follow(now))
         {
             return;
         }
     }
 }
+
+
+impact::frictionImpact::frictionImpact
+(
+    const contactResponse& c,
+    double restitution,
+    double x,
+    double y,
+    double v
+)
+:
+    c_(c),
+    kept_(1 - restitution*restitution),
+    margin_((kept_ == 1 ? 1e-13 : 1e-6)*std::fabs(v))
+{
+    q_[slipX] = x;
+    q_[slipY] = y;
+    q_[slip] = std::sqrt(x*x + y*y);
+    q_[normal] = v;
+    solve();
+}
+
