@@ -3,57 +3,26 @@
 \*---------------------------------------------------------------------------*/
 
 #include "walkKernels.H"
-#include "vectorTargets.H"
-
-#include <cstring>
+#include "lanes.H"
 
 namespace
 {
     using Foam::walkKernels::stride;
     using Foam::walkKernels::width;
 
-    // A group of planes. Loops over its places do not become vector code by
-    // themselves; these types are that of every instruction set, and never
-    // leave this file.
-    typedef double lanes __attribute__((vector_size(8*width)));
-    typedef std::int64_t marks __attribute__((vector_size(8*width)));
-
-    #define inKernel inline __attribute__((always_inline))
-
-    inKernel lanes load(const double* p)
-    {
-        lanes a;
-        std::memcpy(&a, p, sizeof(a));
-        return a;
-    }
-
-    inKernel void store(double* p, const lanes a)
-    {
-        std::memcpy(p, &a, sizeof(a));
-    }
-
-    inKernel lanes all(const double a)
-    {
-        return lanes{a, a, a, a};
-    }
-
-    //- positivePart, by the bits: a selection might be undone, and a division
-    //  by what was not selected would trap
-    inKernel lanes positive(const lanes a)
-    {
-        const std::int64_t allButSign = 0x7fffffffffffffff;
-        const marks bits =
-        {
-            allButSign, allButSign, allButSign, allButSign
-        };
-        const lanes size =
-            reinterpret_cast<lanes>(reinterpret_cast<marks>(a) & bits);
-        return all(0.5)*(a + size);
-    }
+    // A group of planes
+    using impact::lanes;
+    using impact::allLanes;
+    using impact::exchanged;
+    using impact::loadLanes;
+    using impact::positivePart;
+    using impact::storeLanes;
+    typedef impact::laneMarks marks;
+    static_assert(width == impact::nLanes, "lanes of a group");
 
     //- a or b by the bits: of a selection the compiler makes a branch, which is
     //  mispredicted for as many particles as leave their cells
-    inKernel double choose(const bool first, const double a, const double b)
+    impactInline double choose(const bool first, const double a, const double b)
     {
         std::int64_t ia, ib;
         std::memcpy(&ia, &a, sizeof(a));
@@ -72,7 +41,7 @@ namespace
 
     typedef Foam::walkKernels::convexShapes convexShapes;
 
-    inKernel bool isBox(const convexShapes& shapes, const std::int32_t c)
+    impactInline bool isBox(const convexShapes& shapes, const std::int32_t c)
     {
         using Foam::walkKernels::boundStride;
         const double* b = shapes.bounds + boundStride*std::int64_t(c);
@@ -81,7 +50,7 @@ namespace
 
 
     //- Of the particles of a cell those that stay fly; the others are listed
-    inKernel std::int32_t stay
+    impactInline std::int32_t stay
     (
         const std::int32_t c,
         const std::int32_t nAll,
@@ -106,19 +75,19 @@ namespace
             // next one, which stay as they are
             const double* b =
                 shapes.bounds + Foam::walkKernels::boundStride*std::int64_t(c);
-            const lanes low[3] = {all(b[0]), all(b[1]), all(b[2])};
-            const lanes high[3] = {all(b[4]), all(b[5]), all(b[6])};
+            const lanes low[3] = {allLanes(b[0]), allLanes(b[1]), allLanes(b[2])};
+            const lanes high[3] = {allLanes(b[4]), allLanes(b[5]), allLanes(b[6])};
             const std::int32_t end = start[c + 1];
             std::int32_t i = start[c];
             const std::int32_t safe = nAll - width + 1;
             for (; i < end && i < safe; i += width)
             {
-                const lanes x0 = load(x + i);
-                const lanes y0 = load(y + i);
-                const lanes z0 = load(z + i);
-                const lanes xe = x0 + all(dtx)*load(u + i);
-                const lanes ye = y0 + all(dty)*load(v + i);
-                const lanes ze = z0 + all(dtz)*load(w + i);
+                const lanes x0 = loadLanes(x + i);
+                const lanes y0 = loadLanes(y + i);
+                const lanes z0 = loadLanes(z + i);
+                const lanes xe = x0 + allLanes(dtx)*loadLanes(u + i);
+                const lanes ye = y0 + allLanes(dty)*loadLanes(v + i);
+                const lanes ze = z0 + allLanes(dtz)*loadLanes(w + i);
                 const marks number = marks{0, 1, 2, 3} + std::int64_t(i);
                 const marks here = number < std::int64_t(end);
                 const marks out =
@@ -127,9 +96,9 @@ namespace
                   | (ze < low[2]) | (ze > high[2]);
                 const marks stays = here & ~out;
                 const marks leaves = here & out;
-                store(x + i, stays ? xe : x0);
-                store(y + i, stays ? ye : y0);
-                store(z + i, stays ? ze : z0);
+                storeLanes(x + i, stays ? xe : x0);
+                storeLanes(y + i, stays ? ye : y0);
+                storeLanes(z + i, stays ? ze : z0);
                 for (int k = 0; k < width; ++k)
                 {
                     leavers[n] = i + k;
@@ -165,15 +134,15 @@ namespace
             const double ze = z[i] + dtz*w[i];
 
             // Greatest height above a plane
-            lanes worst = all(-1);
+            lanes worst = allLanes(-1);
             for (const double* p = first; p < last; p += stride)
             {
                 const lanes h =
-                    load(p)*all(xe) + load(p + width)*all(ye)
-                  + load(p + 2*width)*all(ze) - load(p + 3*width);
+                    loadLanes(p)*allLanes(xe) + loadLanes(p + width)*allLanes(ye)
+                  + loadLanes(p + 2*width)*allLanes(ze) - loadLanes(p + 3*width);
                 worst = h > worst ? h : worst;
             }
-            const lanes other = __builtin_shuffle(worst, marks{2, 3, 0, 1});
+            const lanes other = exchanged(worst, marks{2, 3, 0, 1});
             worst = worst > other ? worst : other;
             const bool leaves = (worst[0] > 0) | (worst[1] > 0);
 
@@ -188,10 +157,10 @@ namespace
 
 
     //- Of each lane and its partner the earlier one
-    inKernel void pairUp(lanes& time, marks& place, const marks& partner)
+    impactInline void pairUp(lanes& time, marks& place, const marks& partner)
     {
-        const lanes other = __builtin_shuffle(time, partner);
-        const marks otherPlace = __builtin_shuffle(place, partner);
+        const lanes other = exchanged(time, partner);
+        const marks otherPlace = exchanged(place, partner);
         const marks earlier = other < time;
         time = earlier ? other : time;
         place = earlier ? otherPlace : place;
@@ -199,7 +168,7 @@ namespace
 
 
     //- The earliest of four, and its place, become the first
-    inKernel void earliest(lanes& time, marks& place)
+    impactInline void earliest(lanes& time, marks& place)
     {
         pairUp(time, place, marks{2, 3, 0, 1});
         pairUp(time, place, marks{1, 0, 3, 2});
@@ -218,7 +187,7 @@ namespace
     const double still = 1e-200;
     const double far = 1e100;
 
-    inKernel wayOut leave
+    impactInline wayOut leave
     (
         const convexShapes& shapes,
         const std::int32_t c,
@@ -236,13 +205,13 @@ namespace
             const double* b = shapes.bounds + boundStride*std::int64_t(c);
             const lanes position = {x, y, z, 0};
             const lanes speed = {ux, uy, uz, 0};
-            const marks up = speed > all(0);
+            const marks up = speed > allLanes(0);
             const lanes depth =
-                up ? load(b + width) - position : position - load(b);
-            const lanes size = positive(speed) + positive(-speed);
-            const marks out = size > all(still);
-            const lanes quotient = depth/(size + all(still));
-            lanes time = out ? quotient : all(far);
+                up ? loadLanes(b + width) - position : position - loadLanes(b);
+            const lanes size = positivePart(speed) + positivePart(-speed);
+            const marks out = size > allLanes(still);
+            const lanes quotient = depth/(size + allLanes(still));
+            lanes time = out ? quotient : allLanes(far);
             marks place = marks{0, 1, 2, 3} - up*width;
 
             earliest(time, place);
@@ -259,19 +228,19 @@ namespace
             shapes.planes + stride*std::int64_t(shapes.firstGroup[c + 1]);
         marks here = {0, 1, 2, 3};
         here += width*std::int64_t(g);
-        lanes least = all(1);
+        lanes least = allLanes(1);
         marks place = {-1, -1, -1, -1};
         for (; p < last; p += stride)
         {
-            const lanes nx = load(p);
-            const lanes ny = load(p + width);
-            const lanes nz = load(p + 2*width);
-            const lanes speed = nx*all(ux) + ny*all(uy) + nz*all(uz);
+            const lanes nx = loadLanes(p);
+            const lanes ny = loadLanes(p + width);
+            const lanes nz = loadLanes(p + 2*width);
+            const lanes speed = nx*allLanes(ux) + ny*allLanes(uy) + nz*allLanes(uz);
             const lanes depth =
-                load(p + 3*width) - (nx*all(x) + ny*all(y) + nz*all(z));
-            const marks out = speed > all(still);
-            const lanes quotient = depth/(positive(speed) + all(still));
-            const lanes time = out ? quotient : all(far);
+                loadLanes(p + 3*width) - (nx*allLanes(x) + ny*allLanes(y) + nz*allLanes(z));
+            const marks out = speed > allLanes(still);
+            const lanes quotient = depth/(positivePart(speed) + allLanes(still));
+            const lanes time = out ? quotient : allLanes(far);
             const marks earlier = time < least;
             least = earlier ? time : least;
             place = earlier ? here : place;
@@ -375,18 +344,18 @@ impactKernel void Foam::walkKernels::exitTimes
 {
     for (std::int32_t i = 0; i < n; ++i)
     {
-        const lanes px = all(x[i]), py = all(y[i]), pz = all(z[i]);
-        const lanes pu = all(u[i]), pv = all(v[i]), pw = all(w[i]);
+        const lanes px = allLanes(x[i]), py = allLanes(y[i]), pz = allLanes(z[i]);
+        const lanes pu = allLanes(u[i]), pv = allLanes(v[i]), pw = allLanes(w[i]);
         double least = limit[i];
         const std::int32_t end = shapes.firstGroup[cell[i] + 1];
         for (std::int32_t g = shapes.firstGroup[cell[i]]; g < end; ++g)
         {
             const double* p = shapes.planes + stride*std::size_t(g);
-            const lanes nx = load(p), ny = load(p + width);
-            const lanes nz = load(p + 2*width);
+            const lanes nx = loadLanes(p), ny = loadLanes(p + width);
+            const lanes nz = loadLanes(p + 2*width);
             double speed[width], depth[width];
-            store(speed, nx*pu + ny*pv + nz*pw);
-            store(depth, load(p + 3*width) - (nx*px + ny*py + nz*pz));
+            storeLanes(speed, nx*pu + ny*pv + nz*pw);
+            storeLanes(depth, loadLanes(p + 3*width) - (nx*px + ny*py + nz*pz));
             for (int k = 0; k < width; ++k)
             {
                 // Only faces that the ray goes out of
@@ -417,14 +386,14 @@ impactKernel void Foam::walkKernels::pathsInside
         for (std::int32_t g = shapes.firstGroup[cell[i]]; g < end; ++g)
         {
             const double* p = shapes.planes + stride*std::size_t(g);
-            const lanes nx = load(p), ny = load(p + width);
-            const lanes nz = load(p + 2*width), d = load(p + 3*width);
+            const lanes nx = loadLanes(p), ny = loadLanes(p + width);
+            const lanes nz = loadLanes(p + 2*width), d = loadLanes(p + 3*width);
             for (int b = 0; b < 3; ++b)
             {
                 const double* const* q = points + 3*b;
                 outside |=
-                    nx*all(q[0][i]) + ny*all(q[1][i]) + nz*all(q[2][i]) - d
-                  > all(0);
+                    nx*allLanes(q[0][i]) + ny*allLanes(q[1][i]) + nz*allLanes(q[2][i]) - d
+                  > allLanes(0);
             }
         }
         stays[i] = !(outside[0] | outside[1] | outside[2] | outside[3]);

@@ -2,11 +2,70 @@
     parcelImpact. License: GPL-3.0-or-later, see COPYING.
 \*---------------------------------------------------------------------------*/
 
-#include "vectorTargets.H"
+#include "lanes.H"
 
 #include "rotationKernels.H"
 
-#include <cstring>
+namespace
+{
+
+using namespace impact;
+
+//- A vector, and a lane to spare
+impactInline lanes three(const double* p)
+{
+    return lanes{p[0], p[1], p[2], 0};
+}
+
+
+impactInline void put(double* p, const lanes& a)
+{
+    p[0] = a[0];
+    p[1] = a[1];
+    p[2] = a[2];
+}
+
+
+//- The terms of a vector, as both factors of a cross product take them
+struct crossTerms
+{
+    static constexpr int most = 32;
+    lanes yzx[most], zxy[most];
+
+    impactInline void add(int n, const lanes& a)
+    {
+        yzx[n] = exchanged(a, laneMarks{1, 2, 0, 3});
+        zxy[n] = exchanged(a, laneMarks{2, 0, 1, 3});
+    }
+};
+
+
+//- Parts of the term of order n of a x b
+struct crossSum
+{
+    lanes plus = {}, minus = {};
+
+    impactInline void add
+    (
+        const crossTerms& a,
+        int i,
+        const crossTerms& b,
+        int j
+    )
+    {
+        plus += a.yzx[i]*b.zxy[j];
+        minus += a.zxy[i]*b.yzx[j];
+    }
+
+    impactInline void add(const crossSum& other)
+    {
+        plus += other.plus;
+        minus += other.minus;
+    }
+};
+
+} // End anonymous namespace
+
 
 namespace impact
 {
@@ -18,68 +77,55 @@ impactKernel void rotationSeries
     double (* __restrict__ c)[9]
 )
 {
-    // All products are of a component with one of the angular velocity:
-    // rows of both in the order in which they are multiplied
-    constexpr int width = 8;
-    constexpr int most = 32;
-    typedef double row __attribute__((vector_size(width*sizeof(double))));
-    typedef long long placesOf
-        __attribute__((vector_size(width*sizeof(long long))));
-
-    // Places of c[0 ... 7]; 8 is that of c[8]
-    const placesOf inA = {1, 2, 0, 4, 5, 3, 7, 8};
-    const placesOf inB = {2, 0, 1, 5, 3, 4, 6, 6};
-    const placesOf inP = {8, 6, 7, 8, 6, 7, 8, 6};
-    const placesOf inQ = {7, 8, 6, 7, 8, 6, 7, 7};
-    const row factor = {1, 1, 1, 1, 1, 1, k[0], k[1]};
-    const row both = {1, 1, 1, 1, 1, 1, 0, 0};
-    row a[most], b[most], p[most], q[most];
-    row now;
-    std::memcpy(&now, c[0], sizeof(now));
-    double last = c[0][8];
+    // The laboratory axes turn by their cross products with the angular
+    // velocity w, and w by products of its own components
+    crossTerms x, y, w;
+    lanes xn = three(c[0]), yn = three(c[0] + 3), wn = three(c[0] + 6);
+    const lanes factor = three(k);
     for (int n = 0; n < order; ++n)
     {
-        const row last8 =
-            {last, last, last, last, last, last, last, last};
-        const row an = __builtin_shuffle(now, last8, inA);
-        const row bn = __builtin_shuffle(now, last8, inB);
-        const row pn = __builtin_shuffle(now, last8, inP);
-        const row qn = __builtin_shuffle(now, last8, inQ);
-        a[n] = an;
-        b[n] = bn;
-        p[n] = pn;
-        q[n] = qn;
+        x.add(n, xn);
+        y.add(n, yn);
+        w.add(n, wn);
 
         // Sums of every other term: they do not wait for each other. The
-        // rows just made come last
-        row d = {}, e = {}, d2 = {}, e2 = {};
+        // terms just made come last
+        crossSum dx, dy, dw, dx2, dy2, dw2;
         int i = 1;
         for (; i + 1 < n; i += 2)
         {
-            d += a[i]*p[n - i];
-            e += b[i]*q[n - i];
-            d2 += a[i + 1]*p[n - i - 1];
-            e2 += b[i + 1]*q[n - i - 1];
+            dx.add(x, i, w, n - i);
+            dy.add(y, i, w, n - i);
+            dw.add(w, i, w, n - i);
+            dx2.add(x, i + 1, w, n - i - 1);
+            dy2.add(y, i + 1, w, n - i - 1);
+            dw2.add(w, i + 1, w, n - i - 1);
         }
         if (i < n)
         {
-            d += a[i]*p[n - i];
-            e += b[i]*q[n - i];
+            dx.add(x, i, w, n - i);
+            dy.add(y, i, w, n - i);
+            dw.add(w, i, w, n - i);
         }
         if (n > 0)
         {
-            d2 += a[0]*pn;
-            e2 += b[0]*qn;
+            dx2.add(x, 0, w, n);
+            dy2.add(y, 0, w, n);
+            dw2.add(w, 0, w, n);
         }
-        d += an*p[0];
-        e += bn*q[0];
-        d += d2;
-        e += e2;
+        dx.add(x, n, w, 0);
+        dy.add(y, n, w, 0);
+        dw.add(w, n, w, 0);
+        dx.add(dx2);
+        dy.add(dy2);
+        dw.add(dw2);
         const double f = 1./(n + 1);
-        now = (f*factor)*(d - both*e);
-        last = f*k[2]*e[6];
-        std::memcpy(c[n + 1], &now, sizeof(now));
-        c[n + 1][8] = last;
+        xn = f*(dx.plus - dx.minus);
+        yn = f*(dy.plus - dy.minus);
+        wn = (f*factor)*dw.plus;
+        put(c[n + 1], xn);
+        put(c[n + 1] + 3, yn);
+        put(c[n + 1] + 6, wn);
     }
 }
 
