@@ -20,7 +20,10 @@ void Foam::warningCounter::readLine()
     {
         open_ = true;
         place_.clear();
-        return;
+
+        // The text may follow at once, as from Warning<<
+        const std::size_t text = line_.find(" : ");
+        line_.erase(0, text == std::string::npos ? text : text + 3);
     }
     const std::size_t first = line_.find_first_not_of(' ');
     if
