@@ -8,6 +8,7 @@ import re
 import numpy as np
 
 LENGTH, DIAPHRAGM = 0.2578, 0.129
+FRACTION, RHO_P = 5.172e-4, 2500.
 ATM, RHO0, R, CV = 101298., 1.30633, 287.2, 718.
 SOUND = np.sqrt(1.4*R*270)
 
@@ -29,7 +30,7 @@ def parcel_mass(case):
         text = file.read()
     number, d = (float(re.search(rf"{word}\s+(\S+);", text).group(1))
                  for word in ("nParticle", "diameter"))
-    return number*2500*np.pi/6*d**3
+    return number*RHO_P*np.pi/6*d**3
 
 
 class Profile:
@@ -69,7 +70,8 @@ def times(case="."):
 
 class Published:
     """Digitised profiles, read by the ends of the tube, where nothing has
-    changed: ten and one of both pressure and density."""
+    changed: ten and one of both pressure and density. Those of the dust, by
+    what the shock has met of it: no dust comes or goes."""
 
     def __init__(self, folder="published"):
         def table(name):
@@ -87,6 +89,12 @@ class Published:
         density = scale(self.xr, rho)
         self.p = scale(self.xp, p)(p)
         self.rho, self.dust = density(rho), density(dust)
+        self.front = front(self.xp, self.p)
+        order = np.argsort(self.xd)
+        held = np.trapz(np.append(self.dust[order], self.dust[order][-1]),
+                        np.append(self.xd[order], self.front))
+        self.held = held/(FRACTION*RHO_P/RHO0*(self.front - DIAPHRAGM))
+        self.dust /= self.held
         # The digitised head lies within the first points of the expansion
         self.head = np.interp(-9.7, -self.p[3:12], self.xp[3:12])
 
