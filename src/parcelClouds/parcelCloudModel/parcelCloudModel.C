@@ -269,5 +269,15 @@ void Foam::parcelCloudModel::account(runSummary& summary)
     b.injected -= before_.injected;
     b.escaped -= before_.escaped;
     b.stuck -= before_.stuck;
+    if (b.fatesKnown && b.lost() != 0)
+    {
+        WarningInFunction
+            << "Cloud " << name() << ": " << label(b.lost())
+            << " parcels are gone,"
+            << " and no wall model tells how. They leave through patches that"
+            << " are no walls and on which no model acts ('type none;'), and"
+            << " are lost where patches that are coupled (cyclicAMI) do not"
+            << " fit; cloud functions may remove them, too." << endl;
+    }
     summary.particles(b);
 }

@@ -9,8 +9,8 @@ import re
 import resource
 import shutil
 
-from caseTools import (copy_case, decompose, must, solve, summary_of, verdict,
-                       write_foam)
+from caseTools import (copy_case, decompose, edit, must, solve, summary_of,
+                       verdict, write_foam)
 
 # Parcels that the gas does not touch cross the channel: the plate takes half
 # of them, the upper side the others
@@ -47,9 +47,11 @@ CLOUDS = {
                     inlet { type escape; } ); } } }"""}
 
 
-def prepare(name, end):
+def prepare(name, end, CLOUDS=CLOUDS, plate="wall"):
     case = copy_case("stock", name)
     shutil.copytree(os.path.join(case, "0.orig"), os.path.join(case, "0"))
+    edit(case, "system/blockMeshDict", "plate  { type wall;",
+         f"plate  {{ type {plate};")
     must(case, "blockMesh")
     # The last step is one that is written, and one that is not
     write_foam(case, "system/controlDict", f"""
@@ -141,6 +143,19 @@ verdict("unknown_is_said", p["flying"] == particles["ours"]["flying"]
         and all(p[k] != p[k] for k in ("escaped", "stuck", "lost")), f"{p}")
 verdict("no_warnings", not warnings and "\n    warnings: none\n" in log
         and "FOAM Warning" not in log, f"{warnings}")
+
+# Where the plate is no wall and no model acts on it, parcels leave without a word
+away = prepare("away", 4e-4, {"away": """patchInteractionModel localInteraction;
+    localInteractionCoeffs { patches (
+        plate { type none; } sides { type stick; }
+        inlet { type escape; } ); }"""}, plate="patch")
+log = solve(away)
+_, told, warnings = summary_of(log)
+p = told["away"]
+verdict("lost_are_told", balanced(p) and p["lost"] == plate
+        and p["stuck"] == sides and p["escaped"] == 0
+        and any(what.startswith(f"Cloud away: {plate} parcels are gone")
+                for _, what in warnings), f"{p}, {warnings}")
 
 # A restart tells of its own part, and both together of the whole run, also
 # where the last step is not written
