@@ -372,7 +372,8 @@ at("rhoCentralParcelFoam/dustyCylinderMach6Walls",
         "the paper gives no coefficients and does not say which wall its"
         " figures have. At angles of 20 to 60 deg these give back several"
         " times what the hard spheres do, and what is thrown further off"
-        " strikes again less often"),
+        " strikes again less often. Other pairs do not help: only such as do"
+        " not part at all make it double (`./Allrun -pairs`)"),
        ("ImpactsManyfold", "results, fig. 3",
         "Повышение концентрации до 10^-4 влечет многократное увеличение числа"
         " ударов", "1e-4 brings a many-fold increase of the number of impacts",
