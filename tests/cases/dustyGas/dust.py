@@ -161,20 +161,42 @@ def prandtl(R):
     return CP/Cv/(1.32 + 1.77*R/Cv)
 
 
-def relaxation(d, speed, rho, T, R):
-    """Rates of velocity and temperature [1/s] by sphereDrag and ranzMarshall,
+def sphere_drag(Re, M, tau, gamma):
+    """Cd Re of the stock sphereDrag."""
+    return 24*(1 + Re**(2/3)/6) if Re < 1000 else 0.424*Re
+
+
+def henderson_drag(Re, M, tau, gamma):
+    """Cd Re of hendersonDrag up to the speed of sound."""
+    if M > 1:
+        raise ValueError(f"Mach number {M}: subsonic only")
+    if M < 1e-9:
+        return 24.
+    S = M*np.sqrt(gamma/2)
+    x = 0.03*Re + 0.48*np.sqrt(Re)
+    Cd = (24/(Re + S*(4.33 + (3.65 - 1.53*tau)/(1 + 0.353*tau)
+                      * np.exp(-0.247*Re/S)))
+          + np.exp(-0.5*M/np.sqrt(Re))*((4.5 + 0.38*x)/(1 + x) + 0.1*M**2
+                                        + 0.2*M**8)
+          + 0.6*S*(1 - np.exp(-M/Re)))
+    return Cd*Re
+
+
+def relaxation(d, speed, rho, T, R, T_dust, drag=sphere_drag):
+    """Rates of velocity and temperature [1/s] by a drag law and ranzMarshall,
     and what the temperature of a grain without heat has more than T [K]."""
     mu = viscosity(T)
     Pr = prandtl(R)
     Re = rho*speed*d/mu
-    CdRe = 24*(1 + Re**(2/3)/6) if Re < 1000 else 0.424*Re
+    gamma = CP/(CP - R)
+    CdRe = drag(Re, speed/np.sqrt(gamma*R*T), T_dust/T, gamma)
     Nu = 2 + 0.6*np.sqrt(Re)*Pr**(1/3)
     return (0.75*mu*CdRe/(RHO_P*d**2), 6*Nu*CP*mu/Pr/(RHO_P*d**2*CP_P),
             np.sqrt(Pr)*speed**2/(2*CP))
 
 
 def exchange(loading, d, end, u, v, T, T_dust, R, rho, emissivity=0.,
-             T_around=0.):
+             T_around=0., drag=sphere_drag):
     """u and T of gas, v and T of grains in a box after a time, by their
     differential equations."""
     cv = CP - R
@@ -192,7 +214,8 @@ def exchange(loading, d, end, u, v, T, T_dust, R, rho, emissivity=0.,
     def rates(z):
         y, lost = z[:4], z[4]
         w, Tg = gas(y, lost)
-        k, heat, more = relaxation(d, np.linalg.norm(w - y[:3]), rho, Tg, R)
+        k, heat, more = relaxation(d, np.linalg.norm(w - y[:3]), rho, Tg, R,
+                                   y[3], drag)
         light = 6*emissivity*5.670374419e-8/(RHO_P*d)*(
             y[3]**4 - T_around**4)
         return np.concatenate([k*(w - y[:3]),

@@ -58,7 +58,8 @@ class Nozzle:
     def slope(self, x, y):
         thrust, v, Tp = y
         u, T, p = self.gas(x, y)
-        k, heat, more = relaxation(self.d, abs(u - v), p/(R_GAS*T), T, R_GAS)
+        k, heat, more = relaxation(self.d, abs(u - v), p/(R_GAS*T), T, R_GAS,
+                                   Tp)
         dv = k*(u - v)/v
         return np.array([p*HEIGHT*(RATIO - 1)/LENGTH - self.Gp*dv, dv,
                          heat*(T + more - Tp)/v])

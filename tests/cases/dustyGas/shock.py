@@ -47,7 +47,8 @@ class Shock:
         """d(v, Tp)/dt by sphereDrag and ranzMarshall."""
         v, Tp = y
         u, T, _ = self.gas(v, Tp)
-        k, heat, more = relaxation(self.d, abs(u - v), self.G/u, T, R_GAS)
+        k, heat, more = relaxation(self.d, abs(u - v), self.G/u, T, R_GAS,
+                                   Tp)
         return np.array([k*(u - v), heat*(T + more - Tp)]), max(k, heat)
 
     def integrate(self):
