@@ -7,7 +7,50 @@
 #include "thermodynamicConstants.H"
 #include <algorithm>
 
-void Foam::gasEquations::setClosure()
+namespace
+{
+
+using Foam::label;
+using Foam::scalar;
+
+//- Slope of the quartic through five neighbouring values, one apart, at the
+//  value i (the models of specific heat are polynomials of this order)
+scalar slopeOf(const std::vector<double>& values, const label i)
+{
+    const label n = label(values.size()) - 1;
+    const label m = Foam::min(Foam::max(i, label(2)), n - 2);
+    const double* e = &values[m - 2];
+    const scalar x = i - m;
+    scalar slope = 0;
+    for (label k = 0; k < 5; k++)
+    {
+        // Derivative of the Lagrange basis polynomial k at x
+        scalar sum = 0;
+        for (label j = 0; j < 5; j++)
+        {
+            if (j == k)
+            {
+                continue;
+            }
+            scalar product = 1.0/(k - j);
+            for (label l = 0; l < 5; l++)
+            {
+                if (l != k && l != j)
+                {
+                    product *= (x - (l - 2))/(k - l);
+                }
+            }
+            sum += product;
+        }
+        slope += sum*e[k];
+    }
+    return slope;
+}
+
+} // End anonymous namespace
+
+
+void Foam::gasEquations::refuseOtherGases() const
 {
     const IOdictionary& properties = thermo_;
     const dictionary& type = properties.subDict("thermoType");
@@ -26,6 +69,14 @@ void Foam::gasEquations::setClosure()
             << "mixture " << mixture << " is not a single gas." << nl
             << "Valid mixture: pureMixture" << exit(FatalIOError);
     }
+}
+
+
+void Foam::gasEquations::setClosure()
+{
+    refuseOtherGases();
+    const IOdictionary& properties = thermo_;
+    const dictionary& type = properties.subDict("thermoType");
 
     // Sample the model of the case over the range of temperatures it can meet
     const word caloric(type.get<word>("thermo"));
@@ -73,46 +124,13 @@ void Foam::gasEquations::setClosure()
 
     if (!constantHeat)
     {
-        // Specific heat at the nodes: slope of the quartic through five
-        // neighbouring energies (the models are polynomials of this order)
-        const scalar h = closure_.dT;
-        auto slope = [&](const label i)
-        {
-            const label m = min(max(i, label(2)), n - 2);
-            const double* e = &closureEnergy_[m - 2];
-            const scalar x = i - m;
-            scalar d = 0;
-            for (label k = 0; k < 5; k++)
-            {
-                // Derivative of the Lagrange basis polynomial k at x
-                scalar sum = 0;
-                for (label j = 0; j < 5; j++)
-                {
-                    if (j == k)
-                    {
-                        continue;
-                    }
-                    scalar product = 1.0/(k - j);
-                    for (label l = 0; l < 5; l++)
-                    {
-                        if (l != k && l != j)
-                        {
-                            product *= (x - (l - 2))/(k - l);
-                        }
-                    }
-                    sum += product;
-                }
-                d += sum*e[k];
-            }
-            return d/h;
-        };
-
+        // Specific heat at the nodes
         for (label i = 0; i <= n; i++)
         {
-            closureHeat_[i] = slope(i);
+            closureHeat_[i] = slopeOf(closureEnergy_, i)/closure_.dT;
         }
 
-        trimClosure(low, h);
+        trimClosure(low, closure_.dT);
     }
 
     // Energy of the model where the closure has its first node

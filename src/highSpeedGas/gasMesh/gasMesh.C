@@ -100,6 +100,52 @@ void Foam::gasMesh::setPatches()
 }
 
 
+void Foam::gasMesh::setFace
+(
+    const label f,
+    const label own,
+    const label farCell,
+    const vector& Sf,
+    const vector& toFaceCentre,
+    const vector& toFar
+)
+{
+    const pointField& C = mesh_.cellCentres();
+    owner[f] = own;
+    far[f] = farCell;
+    area[f] = mag(Sf);
+    const vector n = Sf/area[f];
+    for (int d = 0; d < 3; d++)
+    {
+        if
+        (
+            f < nInternal_ && mesh_.solutionD()[d] != 1 && mag(n[d]) > 0.5
+        )
+        {
+            FatalErrorInFunction
+                << "Nothing is solved in the direction "
+                << vector::componentNames[d] << ", since empty patches"
+                << " look in it, but the face between the cells at "
+                << C[own] << " and " << C[own] + toFar
+                << " does too: there are several layers of cells between"
+                << " the empty patches, or these are not parallel." << nl
+                << "Make one layer of cells of one thickness there, or"
+                << " give the sides another patch type than empty"
+                << exit(FatalError);
+        }
+    }
+    for (int d = 0; d < nDim_; d++)
+    {
+        normal[f*nDim_ + d] = n[direction_[d]];
+        delta[f*nDim_ + d] = toFar[direction_[d]];
+        toFace[f*nDim_ + d] = toFaceCentre[direction_[d]];
+    }
+    normalDistance[f] = max(mag(n & toFar), 0.05*mag(toFar));
+    weight[f] =
+        min(max((n & toFaceCentre)/stabilise(n & toFar, VSMALL), 0.0), 1.0);
+}
+
+
 void Foam::gasMesh::setFaces()
 {
     owner.resize(nFaces_);
@@ -112,50 +158,6 @@ void Foam::gasMesh::setFaces()
     normalDistance.resize(nFaces_);
 
     const pointField& C = mesh_.cellCentres();
-
-    auto setFace = [&]
-    (
-        const label f,
-        const label own,
-        const label farCell,
-        const vector& Sf,
-        const vector& toFaceCentre,
-        const vector& toFar
-    )
-    {
-        owner[f] = own;
-        far[f] = farCell;
-        area[f] = mag(Sf);
-        const vector n = Sf/area[f];
-        for (int d = 0; d < 3; d++)
-        {
-            if
-            (
-                f < nInternal_ && mesh_.solutionD()[d] != 1 && mag(n[d]) > 0.5
-            )
-            {
-                FatalErrorInFunction
-                    << "Nothing is solved in the direction "
-                    << vector::componentNames[d] << ", since empty patches"
-                    << " look in it, but the face between the cells at "
-                    << C[own] << " and " << C[own] + toFar
-                    << " does too: there are several layers of cells between"
-                    << " the empty patches, or these are not parallel." << nl
-                    << "Make one layer of cells of one thickness there, or"
-                    << " give the sides another patch type than empty"
-                    << exit(FatalError);
-            }
-        }
-        for (int d = 0; d < nDim_; d++)
-        {
-            normal[f*nDim_ + d] = n[direction_[d]];
-            delta[f*nDim_ + d] = toFar[direction_[d]];
-            toFace[f*nDim_ + d] = toFaceCentre[direction_[d]];
-        }
-        normalDistance[f] = max(mag(n & toFar), 0.05*mag(toFar));
-        weight[f] =
-            min(max((n & toFaceCentre)/stabilise(n & toFar, VSMALL), 0.0), 1.0);
-    };
 
     for (label f = 0; f < nInternal_; f++)
     {
@@ -201,7 +203,12 @@ void Foam::gasMesh::setFaces()
             }
         }
     }
+    setCells();
+}
 
+
+void Foam::gasMesh::setCells()
+{
     volume.resize(nCells_);
     for (label c = 0; c < nCells_; c++)
     {

@@ -275,20 +275,33 @@ void Foam::NewtonKrylov::setOrder()
 }
 
 
-template<int nDim>
-void Foam::NewtonKrylov::assemble(const scalar Co)
+template<int nVar>
+void Foam::NewtonKrylov::add
+(
+    const int place,
+    const label r,
+    const label c,
+    const double share,
+    const double (&M)[nVar][nVar]
+)
 {
-    constexpr int nVar = nDim + 2;
-    constexpr int nn = nVar*nVar;
+    double* B = &block_[place*nVar*nVar];
+    const double* rows = &equationScale_[r*nVar];
+    const double* columns = &unknownScale_[c*nVar];
+    for (int i = 0; i < nVar; i++)
+    {
+        const double s = share/rows[i];
+        for (int j = 0; j < nVar; j++)
+        {
+            B[i*nVar + j] += s*M[i][j]*columns[j];
+        }
+    }
+}
+
+
+void Foam::NewtonKrylov::findClosed()
+{
     const gasMesh& mesh = gas_.geometry();
-    const gasClosure& closure = gas_.closure();
-    const double* primitive = gas_.primitive.data();
-
-    // Share of the largest speed below which no wave's dissipation falls
-    const double floor = 0.1;
-
-    std::fill(block_.begin(), block_.end(), 0);
-
     closed_.assign(mesh.nFaces() - mesh.nInternal(), false);
     for (size_t k = 0; k < mesh.patches().size(); k++)
     {
@@ -300,29 +313,19 @@ void Foam::NewtonKrylov::assemble(const scalar Co)
             closed_[f - mesh.nInternal()] = gas_.impermeable(k, f, un);
         }
     }
+}
 
-    // share*M, scaled from columns of cell c to rows of cell r
-    auto add = [&]
-    (
-        const int place,
-        const label r,
-        const label c,
-        const double share,
-        const double (&M)[nVar][nVar]
-    )
-    {
-        double* B = &block_[place*nn];
-        const double* rows = &equationScale_[r*nVar];
-        const double* columns = &unknownScale_[c*nVar];
-        for (int i = 0; i < nVar; i++)
-        {
-            const double s = share/rows[i];
-            for (int j = 0; j < nVar; j++)
-            {
-                B[i*nVar + j] += s*M[i][j]*columns[j];
-            }
-        }
-    };
+
+template<int nDim>
+void Foam::NewtonKrylov::addConvection()
+{
+    constexpr int nVar = nDim + 2;
+    const gasMesh& mesh = gas_.geometry();
+    const gasClosure& closure = gas_.closure();
+    const double* primitive = gas_.primitive.data();
+
+    // Share of the largest speed below which no wave's dissipation falls
+    const double floor = 0.1;
 
     for (label f = 0; f < mesh.nFaces(); f++)
     {
@@ -375,33 +378,50 @@ void Foam::NewtonKrylov::assemble(const scalar Co)
             add(farBlock_[f], r, o, -half, M);
         }
     }
+}
 
-    if (gas_.viscous())
+
+template<int nDim>
+void Foam::NewtonKrylov::addDiffusion()
+{
+    // Conduction and friction as one diffusion of all variables
+    constexpr int nVar = nDim + 2;
+    const gasMesh& mesh = gas_.geometry();
+    gas_.faceDiffusion(spectral_);
+    for (label f = 0; f < mesh.nFaces(); f++)
     {
-        // Conduction and friction as one diffusion of all variables
-        gas_.faceDiffusion(spectral_);
-        for (label f = 0; f < mesh.nFaces(); f++)
+        const label o = mesh.owner[f];
+        const label r = mesh.far[f];
+        double D[nVar][nVar] = {};
+        for (int k = 1; k < nVar; k++)
         {
-            const label o = mesh.owner[f];
-            const label r = mesh.far[f];
-            double D[nVar][nVar] = {};
-            for (int k = 1; k < nVar; k++)
-            {
-                D[k][k] = spectral_[f];
-            }
-            add(diagonal_[rowOf_[o]], o, o, 1, D);
-            if (f < mesh.nInternal())
-            {
-                add(diagonal_[rowOf_[r]], r, r, 1, D);
-                add(ownerBlock_[f], o, r, -1, D);
-                add(farBlock_[f], r, o, -1, D);
-            }
+            D[k][k] = spectral_[f];
+        }
+        add(diagonal_[rowOf_[o]], o, o, 1, D);
+        if (f < mesh.nInternal())
+        {
+            add(diagonal_[rowOf_[r]], r, r, 1, D);
+            add(ownerBlock_[f], o, r, -1, D);
+            add(farBlock_[f], r, o, -1, D);
         }
     }
+}
 
+
+template<int nDim>
+void Foam::NewtonKrylov::assemble(const scalar Co)
+{
+    constexpr int nVar = nDim + 2;
+    std::fill(block_.begin(), block_.end(), 0);
+    findClosed();
+    addConvection<nDim>();
+    if (gas_.viscous())
+    {
+        addDiffusion<nDim>();
+    }
     for (label r = 0; r < nCells_; r++)
     {
-        double* B = &block_[diagonal_[r]*nn];
+        double* B = &block_[diagonal_[r]*nVar*nVar];
         for (int k = 0; k < nVar; k++)
         {
             B[k*nVar + k] += 1/Co;
