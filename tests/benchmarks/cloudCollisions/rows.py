@@ -25,7 +25,7 @@ solution
     motion { type embeddedRK54; tolerance 1e-4; }
     COLLISIONS
     interpolationSchemes
-    { rho cellPoint; U cellPoint; T cellPoint; thermo:mu cellPoint; }
+    { rho cellLinear; U cellLinear; T cellLinear; thermo:mu cellLinear; }
     integrationSchemes { U Euler; }
 }
 constantProperties { rho0 2500; }
