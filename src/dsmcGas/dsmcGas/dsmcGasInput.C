@@ -71,7 +71,11 @@ void Foam::dsmcGas::readSpecies()
                 getNumber(d, "mass", "[1e-28, 1e-20] kg, of a molecule"),
                 getNumber(d, "diameter", "[1e-12, 1e-7] m, of a molecule"),
                 d.get<scalar>("omega"),
-                int(d.get<label>("internalDegreesOfFreedom"))
+                int
+                (
+                    getNumber<label>
+                        (d, "internalDegreesOfFreedom", "[0, 1000]")
+                )
             }
         );
         // One by one, so that a message has the name of the species

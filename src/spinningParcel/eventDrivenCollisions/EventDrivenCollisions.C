@@ -268,7 +268,10 @@ Foam::EventDrivenCollisions<CloudType>::EventDrivenCollisions
     ),
     dimension_
     (
-        dict.lookupOrDefault<label>("dimension", cloud.mesh().nGeometricD())
+        getNumber<label>
+        (
+            dict, "dimension", "[2, 3]", label(cloud.mesh().nGeometricD())
+        )
     ),
     slabThickness_(1),
     separate_
