@@ -21,14 +21,15 @@ class csvFile
 {
     OFstream os_;
 
-    void put(const char* text)
+    void put(const std::string& text)
     {
         os_.writeQuoted(text, false);
     }
 
-    void put(const std::string& text)
+    // (writeQuoted takes a length in the place of the switch since v2312)
+    void put(const char* text)
     {
-        os_.writeQuoted(text, false);
+        put(std::string(text));
     }
 
     void put(scalar value)
