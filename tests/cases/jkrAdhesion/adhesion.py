@@ -169,9 +169,10 @@ def check_layer():
         return share*face*0.1/(math.pi/4*d*d)/n
 
     n = 4000
-    layer = [fall(0.05, n=20, d=small, x=(0.6, 0.7),
+    # All arrive in the middle of one step
+    layer = [fall(0.05, n=20, d=small, x=(0.6, 0.7), y=1.25e-4,
                   n_particle=number(0.1, small, 20)),
-             fall(0.05, n=20, d=large, x=(0.6, 0.7),
+             fall(0.05, n=20, d=large, x=(0.6, 0.7), y=1.25e-4,
                   n_particle=number(0.3, large, 20))]
     case = new("layer")
     options = dict(end=6e-3, step=1e-3, write=3, cells=(4, 2, 2))
