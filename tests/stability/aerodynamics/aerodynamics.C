@@ -21,6 +21,8 @@ Description
 namespace
 {
 
+using namespace impact;
+
 //- Smallest and largest of what a law gives, and whether all are finite
 struct extremes
 {
@@ -58,14 +60,9 @@ void sweep(int least, int most, const F& f)
     }
 }
 
-} // End anonymous namespace
 
-
-int main()
+void henderson()
 {
-    using namespace impact;
-    feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
-
     for (const double TwOverT : {0.01, 1., 100.})
     {
         const hendersonDrag drag(1.4, TwOverT);
@@ -107,7 +104,11 @@ int main()
             slow.least > 0.996 && slow.most < 1.004
         );
     }
+}
 
+
+void dragLaws()
+{
     for (const dragLaw::kind& kind : dragLaw::kinds())
     {
         extremes CdRe;
@@ -144,7 +145,11 @@ int main()
             "finite, never thrust", CdRe.least >= 0
         );
     }
+}
 
+
+void heatLaws()
+{
     for (const std::string& name : heatLaw::names())
     {
         extremes Nu;
@@ -170,7 +175,11 @@ int main()
             "finite, positive", Nu.least >= 0
         );
     }
+}
 
+
+void spin()
+{
     extremes lift;
     sweep
     (
@@ -216,5 +225,17 @@ int main()
         "spin left after 0 to 1e30 relaxation times, spin Re 0 to 1e30",
         "from 0 to 1", left.least >= 0 && left.most <= 1
     );
+}
+
+} // End anonymous namespace
+
+
+int main()
+{
+    feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
+    henderson();
+    dragLaws();
+    heatLaws();
+    spin();
     return 0;
 }
