@@ -58,7 +58,7 @@ EDITS = [   # name, change, texts that the message must hold
                                "realPerSimulator (10 -3)"),
      ["realPerSimulator -3", "valid range"]),
     ("weights", replace("realPerSimulator 1000", "realPerSimulator (1 2 3)"),
-     ["realPerSimulator 3(1 2 3)", "2 groups"]),
+     ["(1 2 3)", "2 groups"]),
     ("noWeight", replace("realPerSimulator 1000;", ""),
      ["simulatorsPerStep", "realPerSimulator"]),
     ("simulators", replace("simulators 100", "simulators 0"),
