@@ -282,3 +282,56 @@ void Foam::gasMesh::setLinesBehind()
         }
     }
 }
+
+
+void Foam::gasMesh::setLineEnds(const std::vector<bool>& takesPart)
+{
+    lineEnd.assign(nFaces_, 0);
+    for (label c = 0; c < nCells_; c++)
+    {
+        const waysOut ways(*this, c);
+        for (const int f : ways)
+        {
+            int g = -1;
+            double back[3];
+            if
+            (
+                gasBehind[f]
+             && ways.acrossFrom(f, g, back) == 1
+             && !takesPart[g]
+            )
+            {
+                lineEnd[f] += ways.outward(f);
+            }
+        }
+    }
+
+    // Cells behind the faces of coupled patches and symmetry planes
+    const polyBoundaryMesh& boundary = mesh_.boundaryMesh();
+    labelList behind(mesh_.nBoundaryFaces(), 0);
+    for (const patchRange& patch : patches_)
+    {
+        const label first = boundary[patch.patchi].start() - nInternal_;
+        std::copy_n
+        (
+            lineEnd.begin() + patch.start, patch.size, behind.begin() + first
+        );
+    }
+    syncTools::swapBoundaryFaceList(mesh_, behind);
+    for (const patchRange& patch : patches_)
+    {
+        const polyPatch& pp = boundary[patch.patchi];
+        for (label i = 0; i < patch.size; i++)
+        {
+            if (patch.symmetry)
+            {
+                lineEnd[patch.start + i] = 0;
+            }
+            else if (patch.coupled && !isA<cyclicAMIPolyPatch>(pp))
+            {
+                lineEnd[patch.start + i] -=
+                    behind[pp.start() - nInternal_ + i];
+            }
+        }
+    }
+}
