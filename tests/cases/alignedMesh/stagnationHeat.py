@@ -71,7 +71,7 @@ start("cold")
 write_foam("cold", "system/alignMeshToShockDict",
            "bandShare 0.2; bandWidth 0.1; wallShare 0.4; wallWidth 0.01;")
 must("cold", "alignMeshToShock")
-copy_case("cold", "ranks")
+copy_case("cold", "coldRanks")
 solve("cold")
 q, faces = heat("cold")
 exact = fay_riddell()
@@ -83,11 +83,11 @@ verdict("stagnation_heat_even", np.max(np.abs(faces/q - 1)) < 0.015,
         + " ".join(f"{f:.4f}" for f in faces/q) + ", tolerance 1.5 %")
 
 # Another start on two ranks, whose boundary crosses the layers
-start("ranks")
-decompose("ranks", (2, 1, 1))
-solve("ranks", ranks=2)
-must("ranks", "reconstructPar", "-latestTime")
-other = heat("ranks")[1]
+start("coldRanks")
+decompose("coldRanks", (2, 1, 1))
+solve("coldRanks", ranks=2)
+must("coldRanks", "reconstructPar", "-latestTime")
+other = heat("coldRanks")[1]
 verdict("stagnation_heat_ranks", np.max(np.abs(other/faces - 1)) < 1e-4,
         "two ranks from another start differ by"
         f" {np.max(np.abs(other/faces - 1)):.1e}, tolerance 1e-4")
