@@ -134,103 +134,6 @@ VECTOR_INLINE double smoothlyLimited<upwind>(double, double, double)
 }
 
 
-template<class Limiter, bool Smooth>
-VECTOR_INLINE double slope(const double a, const double b, const double e)
-{
-    return Smooth ? smoothlyLimited<Limiter>(a, b, e) : limited<Limiter>(a, b);
-}
-
-
-//- Face value, at share w of the way, of a cell with value q, from the
-//  differences a across the face and b on the other side of the cell
-template<class Limiter, bool Smooth>
-VECTOR_INLINE double faceValue
-(
-    const double q,
-    const double w,
-    const double a,
-    const double b,
-    const double e
-)
-{
-    return q + w*slope<Limiter, Smooth>(a, b, e);
-}
-
-
-//- The same for what is positive, e being in parts of it. Where the gas
-//  expands the differences are those of the logarithm, which is nearer to a
-//  straight line through a fan, but for their third powers: in parts of the
-//  mean of their two values.
-template<class Limiter, bool Smooth>
-VECTOR_INLINE double positiveFaceValue
-(
-    const double q,
-    const double w,
-    const double a,
-    const double b,
-    const double e,
-    const double expands
-)
-{
-    const double s = slope<Limiter, Smooth>
-    (
-        a/(q + 0.5*expands*a),
-        b/(q - 0.5*expands*least(b, q)),
-        e
-    );
-    const double h = 0.5*w*s;
-    const double k = expands*least(h, 0.9);
-    const double value = q*(1 + 2*h - k)/(1 - k);
-    return value > 0 ? value : q;
-}
-
-
-template<class Limiter, bool Smooth>
-VECTOR_INLINE void reconstruct(faceBlock& block, const int n, const int k)
-{
-    for (int i = 0; i < n; i++)
-    {
-        const double a = block.far[k][i] - block.owner[k][i];
-        const double w = block.weight[i];
-        const double e = Smooth ? block.passed[k][i] : 0;
-        block.L[k][i] = faceValue<Limiter, Smooth>
-        (
-            block.owner[k][i], w, a, block.slopeOwner[k][i] - a, e
-        );
-        block.R[k][i] = faceValue<Limiter, Smooth>
-        (
-            block.far[k][i], 1 - w, -a, a - block.slopeFar[k][i], e
-        );
-    }
-}
-
-
-template<class Limiter, bool Smooth>
-VECTOR_INLINE void reconstructPositive
-(
-    faceBlock& block,
-    const int n,
-    const int k
-)
-{
-    for (int i = 0; i < n; i++)
-    {
-        const double a = block.far[k][i] - block.owner[k][i];
-        const double w = block.weight[i];
-        const double e = Smooth ? block.passed[k][i] : 0;
-        const double x = block.expands[i];
-        block.L[k][i] = positiveFaceValue<Limiter, Smooth>
-        (
-            block.owner[k][i], w, a, block.slopeOwner[k][i] - a, e, x
-        );
-        block.R[k][i] = positiveFaceValue<Limiter, Smooth>
-        (
-            block.far[k][i], 1 - w, -a, a - block.slopeFar[k][i], e, x
-        );
-    }
-}
-
-
 template<class Limiter>
 VECTOR_INLINE void reconstruct
 (
@@ -240,19 +143,47 @@ VECTOR_INLINE void reconstruct
     const int end
 )
 {
-    for (int k = first; k < end; k++)
+    for (int k = first; k < end && block.smooth; k++)
     {
-        if (k < 2)          // pressure and temperature
+        for (int i = 0; i < n; i++)
         {
-            block.smooth
-          ? reconstructPositive<Limiter, true>(block, n, k)
-          : reconstructPositive<Limiter, false>(block, n, k);
+            const double a = block.far[k][i] - block.owner[k][i];
+            const double w = block.weight[i];
+            const double e = block.passed[k][i];
+            block.L[k][i] =
+                block.owner[k][i]
+              + w*smoothlyLimited<Limiter>(a, block.slopeOwner[k][i] - a, e);
+            block.R[k][i] =
+                block.far[k][i]
+              - (1 - w)
+               *smoothlyLimited<Limiter>(a, block.slopeFar[k][i] - a, e);
         }
-        else
+    }
+    for (int k = first; k < end && !block.smooth; k++)
+    {
+        for (int i = 0; i < n; i++)
         {
-            block.smooth
-          ? reconstruct<Limiter, true>(block, n, k)
-          : reconstruct<Limiter, false>(block, n, k);
+            const double a = block.far[k][i] - block.owner[k][i];
+            const double w = block.weight[i];
+            block.L[k][i] =
+                block.owner[k][i]
+              + w*limited<Limiter>(a, block.slopeOwner[k][i] - a);
+            block.R[k][i] =
+                block.far[k][i]
+              - (1 - w)*limited<Limiter>(a, block.slopeFar[k][i] - a);
+        }
+    }
+
+    // Pressure and temperature of a face that would lose their sign take the
+    // value of the cell
+    for (int k = first; k < end && k < 2; k++)
+    {
+        for (int i = 0; i < n; i++)
+        {
+            block.L[k][i] =
+                block.L[k][i] > 0 ? block.L[k][i] : block.owner[k][i];
+            block.R[k][i] =
+                block.R[k][i] > 0 ? block.R[k][i] : block.far[k][i];
         }
     }
 }

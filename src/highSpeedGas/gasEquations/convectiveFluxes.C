@@ -220,33 +220,6 @@ inline void Foam::gasEquations::turnedToFace
 
 
 template<int nDim>
-inline void Foam::gasEquations::slopeAtEnd
-(
-    const double* own,
-    const double* other,
-    const double* beyond,
-    double* slope
-) const
-{
-    const double passed[2] =
-    {
-        passed_*own[0]*other[0],
-        passed_*own[1]*other[1]
-    };
-    const double passedU = passed_*closure_.R*0.5*(own[1] + other[1]);
-    for (int k = 0; k < nDim + 2; k++)
-    {
-        const double a = other[k] - own[k];
-        const double next = beyond[k] - a;
-        const double e = k < 2 ? passed[k] : passedU;
-        slope[k] =
-            a
-          + a*(2*max(a*next, 0.0) + e)/(sqr(a) + sqr(next) + e + VSMALL);
-    }
-}
-
-
-template<int nDim>
 void Foam::gasEquations::innerFluxes()
 {
     constexpr int nVar = nDim + 2;
@@ -304,14 +277,6 @@ void Foam::gasEquations::innerFluxes()
                 turnedToFace<nDim>(f, o, ao, own, so);
                 turnedToFace<nDim>(f, r, ar, other, sr);
             }
-            if (geometry_.lineEnd[f] > 0)
-            {
-                slopeAtEnd<nDim>(own, other, sr, so);
-            }
-            else if (geometry_.lineEnd[f] < 0)
-            {
-                slopeAtEnd<nDim>(own, other, so, sr);
-            }
             for (int k = 0; k < nVar; k++)
             {
                 block.owner[k][i] = own[k];
@@ -322,23 +287,18 @@ void Foam::gasEquations::innerFluxes()
             if (passed_ > 0)
             {
                 const double RT = closure_.R*0.5*(qo[1] + qr[1]);
-                block.passed[0][i] = passed_;
-                block.passed[1][i] = passed_;
+                block.passed[0][i] = passed_*qo[0]*qr[0];
+                block.passed[1][i] = passed_*qo[1]*qr[1];
                 for (int d = 0; d < nDim; d++)
                 {
                     block.passed[2 + d][i] = passed_*RT;
                 }
             }
             block.weight[i] = geometry_.weight[f];
-            double apart = 0;
             for (int d = 0; d < nDim; d++)
             {
                 block.normal[d][i] = geometry_.normal[f*nDim + d];
-                apart += (other[2 + d] - own[2 + d])*block.normal[d][i];
             }
-            // (a steady state would switch from one measure to the other for
-            // ever)
-            block.expands[i] = passed_ == 0 && apart > 0;
             shock[i] =
                 sensesShocks_
               ? shareInShock<nDim>(qo, qr, go, gr, delta)

@@ -14,7 +14,6 @@ void Foam::gasMesh::setLeastSquares(const boolList& excluded)
             takesPart[patch.start + i] = !excluded[patch.patchi];
         }
     }
-    setLineEnds(takesPart);
 
     std::vector<symmTensor> moment(nCells_, symmTensor::zero);
 
