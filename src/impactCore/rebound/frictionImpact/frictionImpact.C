@@ -111,9 +111,11 @@ void impact::frictionImpact::expand(const slipRates& now)
     const double m21 = c_.f2*c - mu*c_.k12, m22 = c_.f2*s - mu*c_.k22;
     const double v1 = c_.a*c - mu*c_.f1, v2 = c_.a*s - mu*c_.f2;
     double share[order][3];
+    #pragma GCC unroll 16
     for (int n = 0; n < order; ++n)
     {
         double rest = 0, power = 0;
+        #pragma GCC unroll 8
         for (int k = n/2; k > 0; --k)
         {
             const double twice = 2*k < n ? 1 : 0.5;
