@@ -144,6 +144,118 @@ impactInline vector3 spinJump
 }
 
 
+//- Arrival and first impact of bodies that do not turn before it
+template<orientationLaw law, bool ellipsoid>
+impactInline void meetStill
+(
+    std::uint64_t seed,
+    std::int64_t first,
+    int n,
+    const double* V,
+    const smoothBody& b,
+    smoothLanes& __restrict__ l
+)
+{
+    const double a0 = b.a[0], a1 = b.a[1], a2 = b.a[2];
+    const double J0 = b.J[0], J1 = b.J[1], J2 = b.J[2];
+    const stillApproach arrival(V, b);
+    for (int from = 0; from < n; from += lanesAtOnce)
+    {
+        const int m = n - from < lanesAtOnce ? n - from : lanesAtOnce;
+        drawOrientations<law>(seed, first + from, from, m, l);
+        for (int i = from; i < from + m; ++i)
+        {
+            const vector3 ex = at(l.ex, i);
+            const vector3 ey = at(l.ey, i);
+            vector3 r;
+            l.y[i] = lowest
+                (ellipsoid, a0, a1, a2, ey.x, ey.y, ey.z, r.x, r.y, r.z);
+            const vector3 w =
+                spinJump({J0, J1, J2}, r, arrival.contactChange(ex, ey));
+            const vector3 dV = arrival.change(ex, ey, w, r);
+            put(w, l.w, i);
+            l.V[0][i] = arrival.V0 + dV.x;
+            l.V[1][i] = arrival.V1 + dV.y;
+            l.V[2][i] = dV.z;
+            l.approach[i] = -arrival.V1;
+            l.contacts[i] = 1;
+            l.pulling[i] = dV.y < 0 ? 1. : 0.;
+            l.gaining[i] = arrival.gains(dV) ? 1. : 0.;
+        }
+    }
+}
+
+
+//- The same of a sphere, whose orientation is of no account
+impactInline void meetSphere
+(
+    int n,
+    const double* V,
+    const smoothBody& b,
+    smoothLanes& __restrict__ l
+)
+{
+    // All alike: w = f r x dVc, r below the centre
+    const double a = b.a[0], J = b.J[0];
+    const double along = (b.tangential - 1)*V[0];
+    const double away = -(1 + b.normal)*V[1];
+    const double wz = a*along/(J + a*a);
+    const double dV0 = along - wz*a, dV1 = away;
+    const double change = V[0]*dV0 + V[1]*dV1
+      + 0.5*(dV0*dV0 + dV1*dV1 + J*wz*wz);
+    const double V0 = V[0] + dV0, V1 = V[1] + dV1;
+    const double gaining =
+        change > 1e-12*0.5*(V[0]*V[0] + V[1]*V[1]) ? 1. : 0.;
+    const double approach = -V[1], pulling = dV1 < 0 ? 1. : 0.;
+    for (int i = 0; i < n; ++i)
+    {
+        l.ex[0][i] = 1;
+        l.ex[1][i] = 0;
+        l.ex[2][i] = 0;
+        l.ey[0][i] = 0;
+        l.ey[1][i] = 1;
+        l.ey[2][i] = 0;
+        l.y[i] = a;
+        l.w[0][i] = 0;
+        l.w[1][i] = 0;
+        l.w[2][i] = wz;
+        l.V[0][i] = V0;
+        l.V[1][i] = V1;
+        l.V[2][i] = 0;
+        l.approach[i] = approach;
+        l.contacts[i] = 1;
+        l.pulling[i] = pulling;
+        l.gaining[i] = gaining;
+    }
+}
+
+
+template<orientationLaw law>
+impactInline void meetAny
+(
+    std::uint64_t seed,
+    std::int64_t first,
+    int n,
+    const double* V,
+    const smoothBody& b,
+    smoothLanes& l
+)
+{
+    if (b.ellipsoid && b.axis == 3)
+    {
+        meetSphere(n, V, b, l);
+    }
+    else if (b.ellipsoid)
+    {
+        meetStill<law, true>(seed, first, n, V, b, l);
+    }
+    else
+    {
+        meetStill<law, false>(seed, first, n, V, b, l);
+    }
+}
+
+
 template<bool ellipsoid, bool box>
 impactInline void cull
 (
@@ -209,6 +321,28 @@ impactKernel void smoothArrive
         arrive<orientationLaw::uniformEuler>(seed, first, n, V, spin, l);
     }
     touchAny(n, b, l);
+}
+
+
+impactKernel void smoothMeet
+(
+    bool isotropic,
+    std::uint64_t seed,
+    std::int64_t first,
+    int n,
+    const double V[3],
+    const smoothBody& b,
+    smoothLanes& l
+)
+{
+    if (isotropic)
+    {
+        meetAny<orientationLaw::isotropic>(seed, first, n, V, b, l);
+    }
+    else
+    {
+        meetAny<orientationLaw::uniformEuler>(seed, first, n, V, b, l);
+    }
 }
 
 
