@@ -4,17 +4,427 @@
 
 #include "vectorTargets.H"
 
+#include "roughKernels.H"
+#include "elementary.H"
 #include "philoxLanes.H"
-#include "roughShadows.H"
+#include "searchStep.H"
+#include "vector3.H"
 
 namespace
 {
 
 using namespace impact;
-using namespace impact::roughShadows;
 
 //- Trials of one flight after which it is left to the general search
 constexpr double manyTrials = 2000;
+
+//- Newton steps of one trial; an ellipse that needs more goes on in the next
+constexpr int newtonSteps = 4;
+
+
+//- v turned about the unit vector k
+impactInline vector3 turned
+(
+    const vector3& v,
+    const vector3& k,
+    double s,
+    double c
+)
+{
+    const double d = (1 - c)*(k.x*v.x + k.y*v.y + k.z*v.z);
+    return
+    {
+        c*v.x + s*(k.y*v.z - k.z*v.y) + d*k.x,
+        c*v.y + s*(k.z*v.x - k.x*v.z) + d*k.y,
+        c*v.z + s*(k.x*v.y - k.y*v.x) + d*k.z
+    };
+}
+
+
+impactInline vector3 get(const roughLanes::lane* l, int i)
+{
+    return {l[0][i], l[1][i], l[2][i]};
+}
+
+
+impactInline void put(roughLanes::lane* l, int i, const vector3& v)
+{
+    l[0][i] = v.x;
+    l[1][i] = v.y;
+    l[2][i] = v.z;
+}
+
+
+struct cubic
+{
+    double x0, c0, c1, c2, c3;
+
+    impactInline double height(double x) const
+    {
+        const double u = x - x0;
+        return c0 + u*(c1 + u*(c2 + u*c3));
+    }
+
+    impactInline double slope(double x) const
+    {
+        const double u = x - x0;
+        return c1 + u*(2*c2 + 3*u*c3);
+    }
+
+    impactInline double bend(double x) const
+    {
+        return 2*c2 + 6*(x - x0)*c3;
+    }
+};
+
+
+impactInline cubic chosen(bool second, const cubic& p, const cubic& q)
+{
+    return
+    {
+        second ? q.x0 : p.x0,
+        second ? q.c0 : p.c0,
+        second ? q.c1 : p.c1,
+        second ? q.c2 : p.c2,
+        second ? q.c3 : p.c3
+    };
+}
+
+
+impactInline cubic interval(const roughLanes& l, int k, int i)
+{
+    return {l.x0[k][i], l.c0[k][i], l.c1[k][i], l.c2[k][i], l.c3[k][i]};
+}
+
+
+//- The intervals under a shadow
+template<int number>
+struct ground
+{
+    cubic part[number];
+    double split[number];   // where the next one begins
+    double top;
+
+    impactInline cubic at(double x) const
+    {
+        cubic c = chosen(x >= split[0], part[0], part[1]);
+        if (number > 2)
+        {
+            c = chosen(x >= split[number - 2], c, part[number - 1]);
+        }
+        return c;
+    }
+
+    //- Lane i, from its second interval on if the shadow has left the first
+    impactInline ground(const roughLanes& l, int i, double left)
+    {
+        const bool later = left >= l.x0[1][i];
+        top = -1e300;
+        for (int k = 0; k < number; ++k)
+        {
+            part[k] =
+                chosen(later, interval(l, k, i), interval(l, k + 1, i));
+            const double t = later ? l.top[k + 1][i] : l.top[k][i];
+            top = larger(top, t);
+        }
+        for (int k = 0; k < number; ++k)
+        {
+            split[k] = k + 1 < number ? part[k + 1].x0 : 1e300;
+        }
+    }
+};
+
+
+//- The point of least height above the relief
+struct lowestPoint
+{
+    double gap, x, slope;
+    vector3 r;              // from the centre
+};
+
+
+//- A corner of the shadow, at r from the centre
+template<int number>
+impactInline void offerCorner
+(
+    double cx,
+    double cy,
+    const vector3& r,
+    const ground<number>& under,
+    lowestPoint& best
+)
+{
+    const double x = cx + r.x;
+    const double gap = cy + r.y - under.at(x).height(x);
+    const bool lower = gap < best.gap;
+    best.gap = lower ? gap : best.gap;
+    best.x = lower ? x : best.x;
+    best.r.x = lower ? r.x : best.r.x;
+    best.r.y = lower ? r.y : best.r.y;
+    best.r.z = lower ? r.z : best.r.z;
+}
+
+
+//- The crest of an interval that the edge from r to r + 2 g may touch
+//  between xa and xb
+impactInline void offerCrest
+(
+    double cx,
+    double cy,
+    const vector3& r,
+    const vector3& g,
+    double m,
+    double xa,
+    double xb,
+    double R,
+    const cubic& s,
+    lowestPoint& best
+)
+{
+    // Where the relief has the slope m, falling: of the two forms of the
+    // root, the one without cancellation
+    const double a = s.c1 - m;
+    const double square = s.c2*s.c2 - 3*s.c3*a;
+    const double root = std::sqrt(positivePart(square));
+    const bool direct = s.c2 <= 0;
+    const double num = direct ? a : -s.c2 - root;
+    const double den = direct ? root - s.c2 : 3*s.c3;
+    const double sign = den < 0 ? -1. : 1.;
+    const double ratio = sign*num/(std::fabs(den) + 1e-100);
+    const double u = larger(smaller(ratio, 1e6*R), -1e6*R);
+    const double x = s.x0 + u;
+    const double far = 2*g.x;
+    const double f = (x - cx - r.x)/(far + 1e-12*R);
+    const vector3 at = {r.x + f*far, r.y + 2*f*g.y, r.z + 2*f*g.z};
+    const double gap =
+        cy + at.y - (s.c0 + u*(s.c1 + u*(s.c2 + u*s.c3)));
+    const bool lower =
+        (square > 0) & (x > xa) & (x < xb) & (gap < best.gap);
+    best.gap = lower ? gap : best.gap;
+    best.x = lower ? x : best.x;
+    best.r.x = lower ? at.x : best.r.x;
+    best.r.y = lower ? at.y : best.r.y;
+    best.r.z = lower ? at.z : best.r.z;
+}
+
+
+impactInline vector3 towardsX(const vector3& g)
+{
+    const double s = g.x < 0 ? -1. : 1.;
+    return {s*g.x, s*g.y, s*g.z};
+}
+
+
+//- Exchange two segments unless a rises less than b
+impactInline void bySlope(vector3& a, vector3& b)
+{
+    const bool swap = a.y*b.x > b.y*a.x;
+    const vector3 p = a, q = b;
+    a = {swap ? q.x : p.x, swap ? q.y : p.y, swap ? q.z : p.z};
+    b = {swap ? p.x : q.x, swap ? p.y : q.y, swap ? p.z : q.z};
+}
+
+
+impactInline vector3 sum(const vector3& a, const vector3& b, double f)
+{
+    return {a.x + f*b.x, a.y + f*b.y, a.z + f*b.z};
+}
+
+
+//- Orientation after the time t
+impactInline void turnTo
+(
+    const roughLanes& l,
+    int i,
+    double t,
+    bool side,
+    vector3& u,
+    vector3& v
+)
+{
+    const vector3 axis = get(l.axisL, i);
+    double s, c;
+    sinCos(l.rateL[i]*t, s, c);
+    const vector3 u0 = get(l.u, i);
+    u = turned(u0, axis, s, c);
+    if (side)
+    {
+        double s2, c2;
+        sinCos(l.rateAxis[i]*t, s2, c2);
+        const vector3 v0 = get(l.v, i);
+        const vector3 w0 = cross(u0, v0);
+        const vector3 v1 =
+        {
+            c2*v0.x + s2*w0.x, c2*v0.y + s2*w0.y, c2*v0.z + s2*w0.z
+        };
+        v = turned(v1, axis, s, c);
+    }
+}
+
+
+//- The lowest point of a box over the relief; g0, g1, g2: the half edges of
+//  its shadow, towards x
+template<int number>
+impactInline lowestPoint lowestOfBox
+(
+    double cx,
+    double cy,
+    vector3 g0,
+    vector3 g1,
+    vector3 g2,
+    double R,
+    const ground<number>& under
+)
+{
+    const double tiny = 1e-12*R;
+    lowestPoint low;
+    bySlope(g0, g1);
+    bySlope(g1, g2);
+    bySlope(g0, g1);
+    const vector3 half = sum(sum(g0, g1, 1), g2, 1);
+    const vector3 v0 = {-half.x, -half.y, -half.z};
+    const vector3 v1 = sum(v0, g0, 2);
+    const vector3 v2 = sum(v1, g1, 2);
+    low.r = v0;
+    low.x = cx + v0.x;
+    low.gap = cy + v0.y - under.at(low.x).height(low.x);
+    offerCorner(cx, cy, v1, under, low);
+    offerCorner(cx, cy, v2, under, low);
+    offerCorner(cx, cy, half, under, low);
+
+    const double x0 = cx + v0.x, x1 = cx + v1.x;
+    const double x2 = cx + v2.x, x3 = cx + half.x;
+    const double m0 = g0.y/(g0.x + tiny);
+    const double m1 = g1.y/(g1.x + tiny);
+    const double m2 = g2.y/(g2.x + tiny);
+    auto crest = [&]
+    (
+        const vector3& r,
+        const vector3& g,
+        double m,
+        double xa,
+        double xb
+    ) __attribute__((always_inline))
+    {
+        #pragma GCC unroll 3
+        for (int k = 0; k < number; ++k)
+        {
+            const double from = k > 0 ? under.split[k - 1] : xa;
+            offerCrest
+            (
+                cx, cy, r, g, m, larger(xa, from),
+                smaller(xb, under.split[k]), R, under.part[k], low
+            );
+        }
+    };
+    crest(v0, g0, m0, x0, x1);
+    crest(v1, g1, m1, x1, x2);
+    crest(v2, g2, m2, x2, x3);
+    low.slope = under.at(low.x).slope(low.x);
+    return low;
+}
+
+
+//- The lower arc of an elliptic shadow
+struct shadowArc
+{
+    double width, lean, depth;
+};
+
+
+//- The lowest point of an ellipsoid over the relief
+//  \param steep  largest slope of the relief
+//  \param p  where on the arc it was lowest, and is
+//  \param sharp  the relief bends more than the arc: there may be two
+//  \return  has Newton's method settled?
+template<roughBody::shapeType shape, int number>
+impactInline bool lowestOfArc
+(
+    double cx,
+    double cy,
+    const roughBody& body,
+    const vector3& u,
+    const shadowArc& arc,
+    double steep,
+    const ground<number>& under,
+    double& p,
+    bool& sharp,
+    lowestPoint& low
+)
+{
+    const double R = body.radius, a = body.a, b = body.b;
+    const double width = arc.width, lean = arc.lean, depth = arc.depth;
+
+    // The slope of the lower arc is lean + p depth/width at
+    // xi = p/sqrt(1 + p^2). A relief that nowhere under it bends as
+    // much as the arc where that is flattest has one lowest point
+    const double f = width/depth;
+    const double left = cx - width;
+    const double right = cx + width;
+    double bend =
+        larger(under.at(left).bend(left), under.at(right).bend(right));
+    for (int k = 0; k + 1 < number; ++k)
+    {
+        const double at = under.split[k];
+        const double there = under.part[k + 1].bend(at);
+        const bool more = (left < at) & (right > at) & (there > bend);
+        bend = more ? there : bend;
+    }
+    sharp = !(bend*width*f < 0.999);
+
+    double lo = (-steep - lean)*f*1.0001 - 1e-6;
+    double hi = (steep - lean)*f*1.0001 + 1e-6;
+    double at = p;
+    at = (at > lo) & (at < hi) ? at : 0.5*(lo + hi);
+    bool settled = false;
+    #pragma GCC unroll 4
+    for (int k = 0; k < newtonSteps; ++k)
+    {
+        const double s = 1/std::sqrt(1 + at*at);
+        const double x = cx + width*at*s;
+        const cubic in = under.at(x);
+        const double e = at - (in.slope(x) - lean)*f;
+        const double rate = 1 - in.bend(x)*f*width*s*s*s;
+        lo = e > 0 ? lo : at;
+        hi = e > 0 ? at : hi;
+        const double step = e/(positivePart(rate - 1e-3) + 1e-3);
+        const double next = at - step;
+
+        // An error of p left here comes back squared
+        settled = std::fabs(step) <= 1e-5*(1 + std::fabs(at));
+        const bool good = settled | ((next > lo) & (next < hi));
+        at = good ? next : 0.5*(lo + hi);
+    }
+    p = at;
+    const double s = 1/std::sqrt(1 + at*at);
+    const double xi = at*s;
+    low.x = cx + width*xi;
+    const cubic in = under.at(low.x);
+    low.slope = in.slope(low.x);
+    low.gap =
+        cy + lean*width*xi - depth*s - in.height(low.x);
+    if (shape == roughBody::sphere)
+    {
+        low.r = {R*xi, -R*s, 0};
+    }
+    else
+    {
+        // The support along the outward normal of the arc
+        const double m = lean + at/f;
+        const double un = m*u.x - u.y;
+        const double a2 = a*a, b2 = b*b;
+        const double across2 = b2*(m*m + 1 - un*un);
+        const double g =
+            1/std::sqrt(positivePart(across2) + a2*un*un);
+        const double d = (a2 - b2)*un;
+        low.r =
+        {
+            g*(b2*m + d*u.x), g*(d*u.y - b2), g*d*u.z
+        };
+    }
+    return settled;
+}
+
 
 //- \tparam number  of intervals that the shadow may lie over
 template<roughBody::shapeType shape, int number>
@@ -101,11 +511,13 @@ impactInline void advance
         const double above = positivePart(g1_);
         const double root0 = std::sqrt(g0_ + allowed);
         const double root1 = std::sqrt(above + allowed);
-        const bool pierced = pierces(g1_, tolerance);
-        const bool clear = isClear(pierced, root0, root1, reach, tau, least);
+        const bool pierced = g1_ < -tolerance;
+        const bool shortest = tau <= least;
         const bool falling = rate1 < 0;
-        const bool touches = clear & isContact(g1_, rate1, tolerance);
-        const bool stuck = pierced & (tau <= least);
+        const bool clear =
+            (!pierced) & (clears(root0, root1, reach, tau) | shortest);
+        const bool touches = clear & falling & (g1_ <= tolerance);
+        const bool stuck = pierced & shortest;
         const bool strikes = settled & (touches | (stuck & falling));
         const bool moves = settled & clear & !touches;
         const double trials = l.trials[i] + 1;
