@@ -230,7 +230,8 @@ void Foam::BlockMotion<CloudType, Force>::advance(const int n)
     }
     walkKernels::exitTimes
     (
-        n, cells_.shapes(), cell_, block_.now.x[0], block_.now.x[1], block_.now.x[2],
+        n, cells_.shapes(), cell_,
+        block_.now.x[0], block_.now.x[1], block_.now.x[2],
         way[0], way[1], way[2], left, exit
     );
     for (int i = 0; i < n; ++i)
