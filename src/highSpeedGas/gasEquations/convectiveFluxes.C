@@ -8,6 +8,33 @@
 namespace Foam
 {
 
+//- Share in which the gas expands across a face and across the next ones on
+//  both sides, from the velocities and their changes over both ways of the cell;
+//  smooth, with the square of the velocities that do not count
+template<int nDim>
+inline double shareExpanding
+(
+    const double* owner,
+    const double* far,
+    const double* slopeOwner,
+    const double* slopeFar,
+    const double* normal,
+    const double ignored
+)
+{
+    double across = 0, aroundOwner = 0, aroundFar = 0;
+    for (int d = 0; d < nDim; d++)
+    {
+        across += (far[2 + d] - owner[2 + d])*normal[d];
+        aroundOwner += slopeOwner[2 + d]*normal[d];
+        aroundFar += slopeFar[2 + d]*normal[d];
+    }
+    const double apart =
+        max(min(across, min(aroundOwner, aroundFar) - across), 0.0);
+    return sqr(apart)/(sqr(apart) + ignored + VSMALL);
+}
+
+
 //- Share 0..1 of a face in a shock: whether the pressure rises along the flow
 //  by a large part of itself (two to three tenths) within the distance
 //  delta between two cells. Smooth, so that a steady state can come to rest.
@@ -284,14 +311,14 @@ void Foam::gasEquations::innerFluxes()
                 block.slopeOwner[k][i] = so[k];
                 block.slopeFar[k][i] = sr[k];
             }
+            const double passedU = passed_*closure_.R*0.5*(qo[1] + qr[1]);
             if (passed_ > 0)
             {
-                const double RT = closure_.R*0.5*(qo[1] + qr[1]);
-                block.passed[0][i] = passed_*qo[0]*qr[0];
+                block.passed[0][i] = passed_;
                 block.passed[1][i] = passed_*qo[1]*qr[1];
                 for (int d = 0; d < nDim; d++)
                 {
-                    block.passed[2 + d][i] = passed_*RT;
+                    block.passed[2 + d][i] = passedU;
                 }
             }
             block.weight[i] = geometry_.weight[f];
@@ -299,6 +326,10 @@ void Foam::gasEquations::innerFluxes()
             {
                 block.normal[d][i] = geometry_.normal[f*nDim + d];
             }
+            block.expands[i] = shareExpanding<nDim>
+            (
+                own, other, so, sr, &geometry_.normal[f*nDim], passedU
+            );
             shock[i] =
                 sensesShocks_
               ? shareInShock<nDim>(qo, qr, go, gr, delta)

@@ -108,7 +108,7 @@ ROWS = (
     dict(name="wedge15Ma5", path=C + "wedge15Ma5", solver="rhoCentralFoam",
          end=(0.1, 0.2), exact=wedge, bound=0.027),
     dict(name="shockTube", path=C + "shockTube", solver="rhoCentralFoam",
-         end=(0.007, 0.007), exact=shock_tube),
+         end=(0.007, 0.007), exact=shock_tube, bound=0.0072),
     dict(name="forwardStep", path=C + "forwardStep", solver="rhoCentralFoam",
          end=(0.4, 4), stock=0.05),
     dict(name="LadenburgJet60psi", path=C + "LadenburgJet60psi",

@@ -17,7 +17,7 @@ SST = ("simulationType RAS;\n"
        "RAS { RASModel kOmegaSST; turbulence on; printCoeffs off; }")
 
 
-def prepare(case, model, n=(NX, NY), grading="(1 12 1)"):
+def prepare(case, model, n=(NX, NY), grading="(1 12 1)", k=K, omega=OMEGA):
     write_case(case, {"endTime": END, "deltaT": 1e-7, "writeInterval": END/2,
                       "writeControl": "adjustable", "adjustTimeStep": "yes",
                       "maxCo": 0.2, "maxDeltaT": 1, "writePrecision": 17,
@@ -72,13 +72,27 @@ highSpeedGas { mode transient; }""")
     field("p", P, zero)
     field("T", T, f"type fixedValue; value uniform {WALL_T};")
     field("U", (U, 0, 0), "type noSlip;")
-    field("k", K, f"type kqRWallFunction; value uniform {K};")
-    field("omega", OMEGA,
-          f"type omegaWallFunction; value uniform {OMEGA};")
+    field("k", k, f"type kqRWallFunction; value uniform {k};")
+    field("omega", omega,
+          f"type omegaWallFunction; value uniform {omega};")
     field("nut", 0.0, "type nutkWallFunction; value uniform 0;")
     field("alphat", 0.0, "type compressible::alphatWallFunction;"
           " value uniform 0;")
     must(case, "blockMesh")
+
+
+def prepare_steady(case, residual, **given):
+    fields = "k omega"
+    prepare(case, SST, **given)
+    edit(case, "system/fvSchemes", "ddtSchemes { default Euler; }",
+         "ddtSchemes { default Euler; "
+         + " ".join(f"ddt(rho,{f}) steadyState;" for f in fields.split())
+         + " }")
+    edit(case, "system/fvSolution", "highSpeedGas { mode transient; }",
+         "highSpeedGas { mode steady; residual %g;"
+         " maxIterations 500; }\n"
+         "relaxationFactors { equations { \"(%s)\" 0.7; } }"
+         % (residual, fields.replace(" ", "|")))
 
 
 def wall(case, time, name="wallShearStress"):

@@ -7,23 +7,10 @@ import re
 import numpy as np
 from caseTools import (GAMMA, R_GAS, copy_case, decompose, edit, last_fields,
                        must, same_bits, solve, times_of, verdict, write_foam)
-from plateCase import END, K, P, SST, T, U, WALL_T, prepare, wall
+from plateCase import (END, K, P, SST, T, U, WALL_T, prepare, prepare_steady,
+                       wall)
 
 LATE = 2e-3     # six passages of the stream, boundary layer at rest to 3e-8
-
-
-def prepare_steady(case, residual, **mesh):
-    fields = "k omega"
-    prepare(case, SST, **mesh)
-    edit(case, "system/fvSchemes", "ddtSchemes { default Euler; }",
-         "ddtSchemes { default Euler; "
-         + " ".join(f"ddt(rho,{f}) steadyState;" for f in fields.split())
-         + " }")
-    edit(case, "system/fvSolution", "highSpeedGas { mode transient; }",
-         "highSpeedGas { mode steady; residual %g;"
-         " maxIterations 500; }\n"
-         "relaxationFactors { equations { \"(%s)\" 0.7; } }"
-         % (residual, fields.replace(" ", "|")))
 
 
 def steady_after(log):

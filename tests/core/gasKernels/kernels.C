@@ -330,6 +330,90 @@ TEST(limiters, areThoseOfTheirDefinitions)
 }
 
 
+TEST(limiters, followTheLogarithmOfPressureWhereTheGasExpands)
+{
+    // Pressures in a geometric series: a straight line in the logarithm, whose
+    // face value is the geometric mean but for the third power of the change
+    const double c = 0.9;
+    for (const std::string& name : Foam::reconstructionNames())
+    {
+        auto block = std::make_unique<faceBlock>();
+        for (int i = 0; i < faceBlock::size; i++)
+        {
+            for (int k = 0; k < faceBlock::maxVar; k++)
+            {
+                block->owner[k][i] = 100;
+                block->far[k][i] = 100*c;
+                block->slopeOwner[k][i] = 100*(c - 1/c);
+                block->slopeFar[k][i] = 100*(c*c - 1);
+            }
+            block->weight[i] = 0.5;
+            block->expands[i] = i % 2;
+        }
+        Foam::selectReconstruction(name)(*block, faceBlock::size, 0, 5);
+        const double mean = 100*std::sqrt(c);
+        if (name != "upwind")
+        {
+            EXPECT_NEAR(block->L[0][7], mean, 5e-3) << name;
+            EXPECT_NEAR(block->R[0][7], mean, 5e-3) << name;
+
+            // Differences themselves miss it on one side at least
+            EXPECT_GT
+            (
+                std::max
+                (
+                    std::abs(block->L[0][8] - mean),
+                    std::abs(block->R[0][8] - mean)
+                ),
+                0.05
+            ) << name;
+        }
+        for (int k = 1; k < faceBlock::maxVar; k++)
+        {
+            EXPECT_EQ(block->L[k][7], block->L[k][8]) << name;
+        }
+    }
+}
+
+
+TEST(limiters, keepPressureAndTemperaturePositive)
+{
+    for (const std::string& name : Foam::reconstructionNames())
+    {
+        for (const bool smooth : {false, true})
+        {
+            auto block = std::make_unique<faceBlock>();
+            block->smooth = smooth;
+            for (int i = 0; i < faceBlock::size; i++)
+            {
+                const double low = std::pow(10.0, -(i % 8));
+                for (int k = 0; k < faceBlock::maxVar; k++)
+                {
+                    block->owner[k][i] = i % 3 ? 1 : low;
+                    block->far[k][i] = i % 3 ? low : 1;
+                    block->slopeOwner[k][i] = i - 0.5*faceBlock::size;
+                    block->slopeFar[k][i] = 0.5*faceBlock::size - i;
+                    block->passed[k][i] = 1e-6;
+                }
+                block->weight[i] = i % 2 ? 0.05 : 0.95;
+                block->expands[i] = i/2 % 2;
+            }
+            Foam::selectReconstruction(name)(*block, faceBlock::size, 0, 5);
+            for (int i = 0; i < faceBlock::size; i++)
+            {
+                for (int k = 0; k < 2; k++)
+                {
+                    EXPECT_GT(block->L[k][i], 0) << name << i;
+                    EXPECT_GT(block->R[k][i], 0) << name << i;
+                    EXPECT_LT(block->L[k][i], 100) << name << i;
+                    EXPECT_LT(block->R[k][i], 100) << name << i;
+                }
+            }
+        }
+    }
+}
+
+
 TEST(limiters, stayFiniteWithoutAnyChange)
 {
     for (const std::string& name : Foam::reconstructionNames())
