@@ -33,7 +33,7 @@ VECTOR_INLINE side<nDim> sideOf
     const double (&q)[faceBlock::maxVar][faceBlock::size],
     const double (&normal)[3][faceBlock::size],
     const int i,
-    const gasClosure& gas
+    const gasEquationOfState& gas
 )
 {
     side<nDim> s;
@@ -75,8 +75,8 @@ VECTOR_INLINE void waveSpeeds
         (rootL*L.a*L.a + rootR*R.a*R.a)*sum
       + 0.5*rootL*rootR*sum*sum*d*d
     );
-    sL = least(L.un - L.a, un - a);
-    sR = most(R.un + R.a, un + a);
+    sL = min(L.un - L.a, un - a);
+    sR = max(R.un + R.a, un + a);
 }
 
 
@@ -93,8 +93,8 @@ VECTOR_INLINE void convect
     const double p
 )
 {
-    const double right = 0.5*(mass + size(mass));
-    const double left = 0.5*(mass - size(mass));
+    const double right = 0.5*(mass + abs(mass));
+    const double left = 0.5*(mass - abs(mass));
     block.flux[0][i] = mass;
     block.flux[1][i] = right*L.H + left*R.H;
     for (int d = 0; d < nDim; d++)
@@ -148,7 +148,7 @@ VECTOR_INLINE void twoWaves
 //- Split pressure weight (1/4)(M + 1)^2 (2 - M), one beyond M = 1
 VECTOR_INLINE double beta(const double M)
 {
-    const double m = most(-1, least(1, M));
+    const double m = max(-1, min(1, M));
     return 0.25*(m + 1)*(m + 1)*(2 - m);
 }
 
@@ -164,8 +164,8 @@ struct Kurganov
         const side<nDim>& R
     )
     {
-        const double sR = most(most(L.un + L.a, R.un + R.a), 0);
-        const double sL = least(least(L.un - L.a, R.un - R.a), 0);
+        const double sR = max(max(L.un + L.a, R.un + R.a), 0);
+        const double sL = min(min(L.un - L.a, R.un - R.a), 0);
         twoWaves<false>(block, i, L, R, sL, sR);
     }
 };
@@ -185,7 +185,7 @@ struct shock
         double sL;
         double sR;
         waveSpeeds<nDim>(L, R, sL, sR);
-        twoWaves<true>(block, i, L, R, least(sL, 0), most(sR, 0));
+        twoWaves<true>(block, i, L, R, min(sL, 0), max(sR, 0));
     }
 };
 
@@ -202,7 +202,7 @@ struct Tadmor
     )
     {
         const double s =
-            most(size(L.un) + L.a, size(R.un) + R.a);
+            max(abs(L.un) + L.a, abs(R.un) + R.a);
         twoWaves<false>(block, i, L, R, -s, s);
     }
 };
@@ -223,15 +223,15 @@ struct SLAU2
         const double ML = L.un/a;
         const double MR = R.un/a;
         const double speed = std::sqrt(0.5*(L.uu + R.uu));
-        const double Mhat = least(1, speed/a);
+        const double Mhat = min(1, speed/a);
         const double chi = (1 - Mhat)*(1 - Mhat);
         const double g =
-            -most(least(ML, 0), -1)*least(most(MR, 0), 1);
+            -max(min(ML, 0), -1)*min(max(MR, 0), 1);
 
         const double mean =
-            (L.rho*size(L.un) + R.rho*size(R.un))/(L.rho + R.rho);
-        const double plus = (1 - g)*mean + g*size(L.un);
-        const double minus = (1 - g)*mean + g*size(R.un);
+            (L.rho*abs(L.un) + R.rho*abs(R.un))/(L.rho + R.rho);
+        const double plus = (1 - g)*mean + g*abs(L.un);
+        const double minus = (1 - g)*mean + g*abs(R.un);
         const double mass =
             0.5
            *(
@@ -256,16 +256,16 @@ struct AUSMPlusUp
     //- Split Mach number of the fourth degree, beta = 1/8
     static VECTOR_INLINE double split(const double M)
     {
-        const double m = most(-1, least(1, M));
+        const double m = max(-1, min(1, M));
         const double q = 0.25*(m + 1)*(m + 1);
         const double r = 0.25*(m - 1)*(m - 1);
-        return (M >= 1 ? M : 0) + (size(M) < 1 ? q*(1 + 2*r) : 0);
+        return (M >= 1 ? M : 0) + (abs(M) < 1 ? q*(1 + 2*r) : 0);
     }
 
     //- Split pressure of the fifth degree, alpha = 3/16
     static VECTOR_INLINE double weight(const double M)
     {
-        const double m = most(-1, least(1, M));
+        const double m = max(-1, min(1, M));
         const double q = 0.25*(m + 1)*(m + 1);
         const double r = 0.25*(m - 1)*(m - 1);
         return q*((2 - m) + 3*m*r);
@@ -288,7 +288,7 @@ struct AUSMPlusUp
 
         const double M =
             split(ML) - split(-MR)
-          - 0.25*most(1 - M2, 0)*(R.p - L.p)/(rho*a*a);
+          - 0.25*max(1 - M2, 0)*(R.p - L.p)/(rho*a*a);
         const double mass = a*M*(M > 0 ? L.rho : R.rho);
 
         const double wL = weight(ML);
@@ -326,7 +326,7 @@ struct HLLC
         const double onLeft = sM > 0 ? 1 : 0;
         const double onRight = 1 - onLeft;
         const double s = onLeft*sL + onRight*sR;
-        const double active = onLeft*least(sL, 0) + onRight*most(sR, 0);
+        const double active = onLeft*min(sL, 0) + onRight*max(sR, 0);
         const double rho = onLeft*L.rho + onRight*R.rho;
         const double p = onLeft*L.p + onRight*R.p;
         const double u = onLeft*L.un + onRight*R.un;
@@ -351,7 +351,12 @@ struct HLLC
 
 
 template<class Scheme, int nDim, bool Thermally>
-VECTOR_INLINE void fluxes(faceBlock& block, const int n, const gasClosure& gas)
+VECTOR_INLINE void fluxes
+(
+    faceBlock& block,
+    const int n,
+    const gasEquationOfState& gas
+)
 {
     for (int i = 0; i < n; i++)
     {
@@ -375,7 +380,7 @@ VECTOR_INLINE void fluxes(faceBlock& block, const int n, const gasClosure& gas)
     (                                                                          \
         faceBlock& block,                                                      \
         const int n,                                                           \
-        const gasClosure& gas                                                  \
+        const gasEquationOfState& gas                                          \
     )                                                                          \
     {                                                                          \
         fluxes<Scheme, nDim, Thermally>(block, n, gas);                        \
@@ -473,7 +478,7 @@ void Foam::exactFlux
     const double* q,
     const double* n,
     const int nDim,
-    const gasClosure& gas,
+    const gasEquationOfState& gas,
     double* flux
 )
 {

@@ -29,7 +29,7 @@ struct Minmod
 {
     static VECTOR_INLINE double psi(const double a, const double b)
     {
-        return least(a, b);
+        return min(a, b);
     }
 };
 
@@ -61,7 +61,7 @@ struct MUSCL
 {
     static VECTOR_INLINE double psi(const double a, const double b)
     {
-        return least(least(2*b, 0.5*(a + b)), 2*a);
+        return min(min(2*b, 0.5*(a + b)), 2*a);
     }
 };
 
@@ -69,10 +69,10 @@ struct UMIST
 {
     static VECTOR_INLINE double psi(const double a, const double b)
     {
-        return least
+        return min
         (
-            least(2*b, 0.25*a + 0.75*b),
-            least(0.75*a + 0.25*b, 2*a)
+            min(2*b, 0.25*a + 0.75*b),
+            min(0.75*a + 0.25*b, 2*a)
         );
     }
 };
@@ -81,7 +81,7 @@ struct SuperBee
 {
     static VECTOR_INLINE double psi(const double a, const double b)
     {
-        return most(least(2*b, a), least(b, 2*a));
+        return max(min(2*b, a), min(b, 2*a));
     }
 };
 
@@ -89,7 +89,7 @@ struct limitedLinear
 {
     static VECTOR_INLINE double psi(const double a, const double b)
     {
-        return least(2*b, a);
+        return min(2*b, a);
     }
 };
 
@@ -97,7 +97,7 @@ struct limitedCubic
 {
     static VECTOR_INLINE double psi(const double a, const double b)
     {
-        return least(least(2*b, (2*a + b)*(1.0/3)), 2*a);
+        return min(min(2*b, (2*a + b)*(1.0/3)), 2*a);
     }
 };
 
@@ -105,7 +105,7 @@ struct limitedCubic
 template<class Limiter>
 VECTOR_INLINE double limited(const double a, const double b)
 {
-    const double magnitude = Limiter::psi(size(a), size(b));
+    const double magnitude = Limiter::psi(abs(a), abs(b));
     return a*b > 0 ? (a < 0 ? -magnitude : magnitude) : 0;
 }
 
@@ -161,11 +161,11 @@ VECTOR_INLINE double pressureAtFace
     const double s = slope<Limiter, Smooth>
     (
         a/(p + 0.5*expands*a),
-        b/(p - 0.5*expands*least(b, p)),
+        b/(p - 0.5*expands*min(b, p)),
         e
     );
     const double h = 0.5*w*s;
-    const double k = expands*least(h, 0.9);
+    const double k = expands*min(h, 0.9);
     return p*(1 + 2*h - k)/(1 - k);
 }
 

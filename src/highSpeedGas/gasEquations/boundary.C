@@ -164,12 +164,12 @@ void Foam::gasEquations::initialiseFlux()
     const volScalarField& p = thermo_.p();
     const volScalarField& T = thermo_.T();
 
-    rho_.primitiveFieldRef() = p.primitiveField()/(closure_.R*T.primitiveField());
+    rho_.primitiveFieldRef() = p.primitiveField()/(eos_.R*T.primitiveField());
     forAll(rho_.boundaryField(), patchi)
     {
         rho_.boundaryFieldRef()[patchi] ==
             p.boundaryField()[patchi]
-           /(closure_.R*T.boundaryField()[patchi]);
+           /(eos_.R*T.boundaryField()[patchi]);
     }
 
     const surfaceVectorField momentum(fvc::interpolate(rho_*U_));
@@ -202,9 +202,9 @@ bool Foam::gasEquations::impermeable
 
     // Round-off in a velocity meant to be tangential is no flow
     const double a2 =
-        closure_.thermallyPerfect()
-      ? closure_.soundSpeedSqr<true>(q[1])
-      : closure_.soundSpeedSqr<false>(q[1]);
+        eos_.thermallyPerfect()
+      ? eos_.soundSpeedSqr<true>(q[1])
+      : eos_.soundSpeedSqr<false>(q[1]);
     if (sqr(un) <= 1e-24*(uu + a2))
     {
         un = 0;
@@ -236,7 +236,7 @@ void Foam::gasEquations::wallPressure(const label f, double& p) const
     {
         double a;
         const double un = outwardSpeed(f, &primitive[c*nVar_], a);
-        const double rho = pc/(closure_.R*primitive[c*nVar_ + 1]);
+        const double rho = pc/(eos_.R*primitive[c*nVar_ + 1]);
         p += max(-0.5*pc, rho*a*un);
     }
 }
@@ -258,9 +258,9 @@ double Foam::gasEquations::outwardSpeed
     }
     a = std::sqrt
     (
-        closure_.thermallyPerfect()
-      ? closure_.soundSpeedSqr<true>(q[1])
-      : closure_.soundSpeedSqr<false>(q[1])
+        eos_.thermallyPerfect()
+      ? eos_.soundSpeedSqr<true>(q[1])
+      : eos_.soundSpeedSqr<false>(q[1])
     );
     return un;
 }
@@ -277,7 +277,7 @@ void Foam::gasEquations::drain(const label f, double* q) const
 
     // Simple wave that leaves the gas behind it: u + 2 a/(gamma - 1) constant
     const int nDim = geometry_.nDim();
-    const double gamma = a*a/(closure_.R*q[1]);
+    const double gamma = a*a/(eos_.R*q[1]);
     const double share = max(((gamma - 1)*un/a + 2)/(gamma + 1), 0.1);
     q[0] *= std::pow(share, 2*gamma/(gamma - 1));
     q[1] *= sqr(share);
@@ -387,7 +387,7 @@ void Foam::gasEquations::setBoundaryStress()
             }
             gradU += n[i]*(snGrad[i] - (n[i] & gradU));
             stress[i] =
-                closure_.viscosity(T.boundaryField()[patchi][i])
+                eos_.viscosity(T.boundaryField()[patchi][i])
                *dev2(gradU.T());
         }
         tauMC_->boundaryFieldRef()[patchi] == stress;
@@ -431,7 +431,7 @@ void Foam::gasEquations::correctBoundary()
         const double* q = &primitive[c*nVar_];
         p[c] = q[0];
         T[c] = q[1];
-        rho_[c] = q[0]/(closure_.R*q[1]);
+        rho_[c] = q[0]/(eos_.R*q[1]);
         for (int d = 0; d < nDim; d++)
         {
             U_[c][geometry_.direction(d)] = q[2 + d];
@@ -452,7 +452,7 @@ void Foam::gasEquations::correctBoundary()
         p.boundaryFieldRef()[patchi].evaluate();
         rho_.boundaryFieldRef()[patchi] ==
             p.boundaryField()[patchi]
-           /(closure_.R*T.boundaryField()[patchi]);
+           /(eos_.R*T.boundaryField()[patchi]);
     }
 
     takeBoundary();

@@ -9,8 +9,9 @@ namespace Foam
 {
 
 //- Share in which the gas expands across a face and across the next ones on
-//  both sides, from the velocities and their changes over both ways of the cell;
-//  smooth, with the square of the velocities that do not count
+//  both sides, from the velocities and their changes over both ways of the
+//  cell. Smooth: differences whose squares are small beside a given one do not
+//  count.
 template<int nDim>
 inline double shareExpanding
 (
@@ -19,7 +20,7 @@ inline double shareExpanding
     const double* slopeOwner,
     const double* slopeFar,
     const double* normal,
-    const double ignored
+    const double small
 )
 {
     double across = 0, aroundOwner = 0, aroundFar = 0;
@@ -31,7 +32,7 @@ inline double shareExpanding
     }
     const double apart =
         max(min(across, min(aroundOwner, aroundFar) - across), 0.0);
-    return sqr(apart)/(sqr(apart) + ignored + VSMALL);
+    return sqr(apart)/(sqr(apart) + small);
 }
 
 
@@ -199,7 +200,7 @@ void Foam::gasEquations::blendFluxes
     double keep[faceBlock::maxVar][faceBlock::size];
     std::copy(&block.flux[0][0], &block.flux[nVar_ - 1][0] + n, &keep[0][0]);
 
-    robustFlux_(block, n, closure_);
+    robustFlux_(block, n, eos_);
 
     for (int k = 0; k < nVar_; k++)
     {
@@ -263,8 +264,8 @@ void Foam::gasEquations::innerFluxes()
 
     auto blockOfFaces = [&](const label first, const int n)
     {
-        bool troubledBlock = false;
-        double troubledFace[faceBlock::size];
+        bool invalidBlock = false;
+        double invalidFace[faceBlock::size];
         bool shockedBlock = false;
         double shock[faceBlock::size];
 
@@ -311,14 +312,14 @@ void Foam::gasEquations::innerFluxes()
                 block.slopeOwner[k][i] = so[k];
                 block.slopeFar[k][i] = sr[k];
             }
-            const double passedU = passed_*closure_.R*0.5*(qo[1] + qr[1]);
+            const double RT = eos_.R*0.5*(qo[1] + qr[1]);
             if (passed_ > 0)
             {
                 block.passed[0][i] = passed_;
                 block.passed[1][i] = passed_*qo[1]*qr[1];
                 for (int d = 0; d < nDim; d++)
                 {
-                    block.passed[2 + d][i] = passedU;
+                    block.passed[2 + d][i] = passed_*RT;
                 }
             }
             block.weight[i] = geometry_.weight[f];
@@ -326,17 +327,19 @@ void Foam::gasEquations::innerFluxes()
             {
                 block.normal[d][i] = geometry_.normal[f*nDim + d];
             }
+            // Differences of velocity below three hundredths of the speed of
+            // sound are none of a fan
             block.expands[i] = shareExpanding<nDim>
             (
-                own, other, so, sr, &geometry_.normal[f*nDim], passedU
+                own, other, so, sr, &geometry_.normal[f*nDim], 1e-3*RT
             );
             shock[i] =
                 sensesShocks_
               ? shareInShock<nDim>(qo, qr, go, gr, delta)
               : 0;
             shockedBlock = shockedBlock || shock[i] > 0;
-            troubledFace[i] = anyTroubled_ && (troubled_[o] || troubled_[r]);
-            troubledBlock = troubledBlock || troubledFace[i] > 0;
+            invalidFace[i] = anyInvalid_ && (invalid_[o] || invalid_[r]);
+            invalidBlock = invalidBlock || invalidFace[i] > 0;
         }
 
         if (rough_)
@@ -350,7 +353,7 @@ void Foam::gasEquations::innerFluxes()
                 limiter.reconstruct(block, n, limiter.first, limiter.end);
             }
         }
-        flux_(block, n, closure_);
+        flux_(block, n, eos_);
 
         if (shockedBlock)
         {
@@ -360,10 +363,10 @@ void Foam::gasEquations::innerFluxes()
             }
             blendFluxes(block, n, shock);
         }
-        if (troubledBlock)
+        if (invalidBlock)
         {
             firstOrder_(block, n, 0, nVar);
-            blendFluxes(block, n, troubledFace);
+            blendFluxes(block, n, invalidFace);
         }
 
         for (int i = 0; i < n && mirrored; i++)
@@ -474,7 +477,7 @@ void Foam::gasEquations::boundaryFluxes()
             }
             else
             {
-                exactFlux(q, n, nDim, closure_, flux);
+                exactFlux(q, n, nDim, eos_, flux);
             }
 
             if (patch.wedge)
@@ -496,7 +499,7 @@ void Foam::gasEquations::boundaryFluxes()
                 }
                 const double m =
                     across*swirl*primitive[c*nVar]
-                   /(closure_.R*primitive[c*nVar + 1]);
+                   /(eos_.R*primitive[c*nVar + 1]);
                 for (int d = 0; d < nDim; d++)
                 {
                     flux[2 + d] += m*(swirl*radial[d] - outward*around[d]);

@@ -72,7 +72,7 @@ void Foam::gasEquations::refuseOtherGases() const
 }
 
 
-void Foam::gasEquations::setClosure()
+void Foam::gasEquations::setEquationOfState()
 {
     refuseOtherGases();
     const IOdictionary& properties = thermo_;
@@ -102,65 +102,65 @@ void Foam::gasEquations::setClosure()
     const labelList cells(n + 1, Zero);
 
     const scalar W = thermo_.W()()[0];
-    closure_.R = constant::thermodynamic::RR/W;
+    eos_.R = constant::thermodynamic::RR/W;
 
     const scalarField he(thermo_.he(p, T, cells));
     const bool enthalpyForm = thermo_.he().name() == "h";
 
-    closureEnergy_.resize(n + 1);
-    closureHeat_.resize(n + 1);
+    tableEnergy_.resize(n + 1);
+    tableHeat_.resize(n + 1);
     forAll(T, i)
     {
-        closureEnergy_[i] =
-            he[i] - he[0] - (enthalpyForm ? closure_.R*(T[i] - T[0]) : 0);
+        tableEnergy_[i] =
+            he[i] - he[0] - (enthalpyForm ? eos_.R*(T[i] - T[0]) : 0);
     }
 
-    closure_.T0 = low;
-    closure_.dT = (high - low)/n;
-    closure_.cv = closureEnergy_[n]/(high - low);
-    closure_.n = 0;
-    closure_.e = nullptr;
-    closure_.c = nullptr;
+    eos_.T0 = low;
+    eos_.dT = (high - low)/n;
+    eos_.cv = tableEnergy_[n]/(high - low);
+    eos_.n = 0;
+    eos_.e = nullptr;
+    eos_.c = nullptr;
 
     if (!constantHeat)
     {
         // Specific heat at the nodes
         for (label i = 0; i <= n; i++)
         {
-            closureHeat_[i] = slopeOf(closureEnergy_, i)/closure_.dT;
+            tableHeat_[i] = slopeOf(tableEnergy_, i)/eos_.dT;
         }
 
-        trimClosure(low, closure_.dT);
+        trimTable(low, eos_.dT);
     }
 
-    // Energy of the model where the closure has its first node
-    const scalar T0 = closure_.T0;
+    // Energy of the model where the equation of state has its first node
+    const scalar T0 = eos_.T0;
     energyOffset_ =
         thermo_.he
         (
             scalarField(1, 1e5), scalarField(1, T0), labelList(1, Zero)
         )()[0]
-      - (enthalpyForm ? closure_.R*T0 : 0)
+      - (enthalpyForm ? eos_.R*T0 : 0)
       - (
-            closure_.thermallyPerfect()
-          ? closure_.energy<true>(T0)
-          : closure_.energy<false>(T0)
+            eos_.thermallyPerfect()
+          ? eos_.energy<true>(T0)
+          : eos_.energy<false>(T0)
         );
 
-    if (!(closure_.cv > 0) || !(closure_.R > 0))
+    if (!(eos_.cv > 0) || !(eos_.R > 0))
     {
         FatalIOErrorInFunction(properties)
-            << "The gas has no ratio of specific heats: R = " << closure_.R
-            << " J/(kg K), Cv = " << closure_.cv << " J/(kg K)." << nl
+            << "The gas has no ratio of specific heats: R = " << eos_.R
+            << " J/(kg K), Cv = " << eos_.cv << " J/(kg K)." << nl
             << "Both must be > 0 (entries molWeight, Cp or Cv)"
             << exit(FatalIOError);
     }
 }
 
 
-void Foam::gasEquations::trimClosure(const scalar low, const scalar dT)
+void Foam::gasEquations::trimTable(const scalar low, const scalar dT)
 {
-    const label n = label(closureHeat_.size()) - 1;
+    const label n = label(tableHeat_.size()) - 1;
 
     // Temperatures of the case at the start
     scalar least = GREAT;
@@ -185,7 +185,7 @@ void Foam::gasEquations::trimClosure(const scalar low, const scalar dT)
     // third of that has left its range
     auto good = [&](const label i)
     {
-        return closureHeat_[i] > 0.5*closure_.R;
+        return tableHeat_[i] > 0.5*eos_.R;
     };
     auto node = [&](const scalar T)
     {
@@ -202,9 +202,9 @@ void Foam::gasEquations::trimClosure(const scalar low, const scalar dT)
             (
                 static_cast<const IOdictionary&>(thermo_)
             )
-                << "The specific heat Cv of the gas is " << closureHeat_[i]
+                << "The specific heat Cv of the gas is " << tableHeat_[i]
                 << " J/(kg K) at " << low + i*dT << " K; it must be above R/2"
-                << " = " << 0.5*closure_.R << " J/(kg K) at the temperatures"
+                << " = " << 0.5*eos_.R << " J/(kg K) at the temperatures"
                 << " of the case, " << least << " to " << greatest
                 << " K (entry thermodynamics)" << exit(FatalIOError);
         }
@@ -218,32 +218,32 @@ void Foam::gasEquations::trimClosure(const scalar low, const scalar dT)
         last++;
     }
 
-    closureHeat_.erase(closureHeat_.begin() + last + 1, closureHeat_.end());
-    closureHeat_.erase(closureHeat_.begin(), closureHeat_.begin() + first);
-    closureEnergy_.erase
+    tableHeat_.erase(tableHeat_.begin() + last + 1, tableHeat_.end());
+    tableHeat_.erase(tableHeat_.begin(), tableHeat_.begin() + first);
+    tableEnergy_.erase
     (
-        closureEnergy_.begin() + last + 1, closureEnergy_.end()
+        tableEnergy_.begin() + last + 1, tableEnergy_.end()
     );
-    closureEnergy_.erase
+    tableEnergy_.erase
     (
-        closureEnergy_.begin(), closureEnergy_.begin() + first
+        tableEnergy_.begin(), tableEnergy_.begin() + first
     );
     lowestT_ = low + first*dT;
     highestT_ = low + last*dT;
 
     // Energy counted so that the gas has none at zero temperature if its
     // specific heat went on as it is at the low end
-    const scalar offset = closureHeat_[0]*lowestT_ - closureEnergy_[0];
-    for (double& e : closureEnergy_)
+    const scalar offset = tableHeat_[0]*lowestT_ - tableEnergy_[0];
+    for (double& e : tableEnergy_)
     {
         e += offset;
     }
 
-    closure_.T0 = lowestT_;
-    closure_.n = last - first;
-    closure_.cv = closureHeat_[0];
-    closure_.e = closureEnergy_.data();
-    closure_.c = closureHeat_.data();
+    eos_.T0 = lowestT_;
+    eos_.n = last - first;
+    eos_.cv = tableHeat_[0];
+    eos_.e = tableEnergy_.data();
+    eos_.c = tableHeat_.data();
 }
 
 
@@ -255,10 +255,10 @@ bool Foam::gasEquations::hasViscosity(const fluidThermo& thermo)
 
 void Foam::gasEquations::setTransport()
 {
-    closure_.As = 0;
-    closure_.Ts = 0;
-    closure_.mu = 0;
-    closure_.Pr = 1;
+    eos_.As = 0;
+    eos_.Ts = 0;
+    eos_.mu = 0;
+    eos_.Pr = 1;
 
     const IOdictionary& properties = thermo_;
     const dictionary& type = properties.subDict("thermoType");
@@ -273,13 +273,13 @@ void Foam::gasEquations::setTransport()
     transportKnown_ = model == "sutherland" || model == "const";
     if (model == "sutherland")
     {
-        closure_.As = inRange("As", !viscous_);
-        closure_.Ts = inRange("Ts", !viscous_);
+        eos_.As = inRange("As", !viscous_);
+        eos_.Ts = inRange("Ts", !viscous_);
     }
     else if (model == "const")
     {
-        closure_.mu = inRange("mu", !viscous_);
-        closure_.Pr = inRange("Pr", false);
+        eos_.mu = inRange("mu", !viscous_);
+        eos_.Pr = inRange("Pr", false);
     }
     else if (viscous_)
     {

@@ -78,8 +78,8 @@ void Foam::gasEquations::setSchemes()
     const word fluxName(schemes.getOrDefault<word>("fluxScheme", "HLLC"));
     const int nDim = geometry_.nDim();
 
-    flux_ = selectFlux(fluxName, nDim, closure_.thermallyPerfect());
-    robustFlux_ = shockFlux(nDim, closure_.thermallyPerfect());
+    flux_ = selectFlux(fluxName, nDim, eos_.thermallyPerfect());
+    robustFlux_ = shockFlux(nDim, eos_.thermallyPerfect());
     sensesShocks_ = fluxName != "Kurganov" && fluxName != "Tadmor";
     flatShocks_ = false;
 
@@ -133,11 +133,11 @@ void Foam::gasEquations::setSchemes()
 
     Info<< "Gas: flux " << fluxName << ", limiter " << limiter << ", "
         << (viscous_ ? "viscous" : "inviscid") << ", "
-        << (closure_.thermallyPerfect() ? "thermally" : "calorically")
-        << " perfect, R = " << closure_.R << " J/(kg K)";
-    if (!closure_.thermallyPerfect())
+        << (eos_.thermallyPerfect() ? "thermally" : "calorically")
+        << " perfect, R = " << eos_.R << " J/(kg K)";
+    if (!eos_.thermallyPerfect())
     {
-        Info<< ", gamma = " << 1 + closure_.R/closure_.cv;
+        Info<< ", gamma = " << 1 + eos_.R/eos_.cv;
     }
     Info<< nl << "Gas: " << geometry_.nDim() << "-D, "
         << returnReduce(geometry_.nCells(), sumOp<label>()) << " cells"
@@ -173,20 +173,20 @@ Foam::gasEquations::gasEquations
     turbulence_(geometry_, rho, U, phi, thermo, viscous),
     passed_(0),
     rough_(false),
-    troubled_(geometry_.nSlots(), 0),
-    anyTroubled_(false),
+    invalid_(geometry_.nSlots(), 0),
+    anyInvalid_(false),
     brokenFace_(-1),
     conserved(geometry_.nCells()*nVar_),
     primitive(geometry_.nSlots()*nVar_),
     rate(geometry_.nCells()*nVar_)
 {
-    setClosure();
+    setEquationOfState();
     setTransport();
     setSchemes();
     setPatches();
     properties_.reset
     (
-        new gasProperties(thermo_, closure_, energyOffset_, transportKnown_)
+        new gasProperties(thermo_, eos_, energyOffset_, transportKnown_)
     );
     gradient_.resize(geometry_.nSlots()*nVar_*geometry_.nDim());
     readFields(restarts);
@@ -290,11 +290,11 @@ void Foam::gasEquations::conserveFromPrimitive()
         const double* q = &primitive[c*nVar_];
         double* w = &conserved[c*nVar_];
         const double e =
-            closure_.thermallyPerfect()
-          ? closure_.energy<true>(q[1])
-          : closure_.energy<false>(q[1]);
+            eos_.thermallyPerfect()
+          ? eos_.energy<true>(q[1])
+          : eos_.energy<false>(q[1]);
 
-        w[0] = q[0]/(closure_.R*q[1]);
+        w[0] = q[0]/(eos_.R*q[1]);
         double uu = 0;
         for (int d = 0; d < nDim; d++)
         {
@@ -325,14 +325,14 @@ Foam::label Foam::gasEquations::refused(const std::vector<double>& state)
          && w[1]*w[0] > 0.5*mm*(1 + 1e-12);
         if (!good)
         {
-            troubled_[c] = 1;
+            invalid_[c] = 1;
             nBad++;
         }
     }
 
     if (brokenFace_ >= 0)
     {
-        troubled_[geometry_.owner[brokenFace_]] = 1;
+        invalid_[geometry_.owner[brokenFace_]] = 1;
         nBad++;
     }
     return returnReduce(nBad, sumOp<label>());
@@ -355,15 +355,15 @@ void Foam::gasEquations::primitivesOf(const std::vector<double>& state)
             q[2 + d] = w[2 + d]*v;
             uu += q[2 + d]*q[2 + d];
         }
-        q[1] = closure_.temperature<Thermally>(w[1]*v - 0.5*uu, q[1]);
-        q[0] = w[0]*closure_.R*q[1];
+        q[1] = eos_.temperature<Thermally>(w[1]*v - 0.5*uu, q[1]);
+        q[0] = w[0]*eos_.R*q[1];
     }
 }
 
 
 void Foam::gasEquations::restore(const std::vector<double>& state)
 {
-    if (closure_.thermallyPerfect())
+    if (eos_.thermallyPerfect())
     {
         primitivesOf<true>(state);
     }
@@ -383,7 +383,7 @@ Foam::label Foam::gasEquations::accept(const std::vector<double>& state)
         restore(state);
     }
 
-    anyTroubled_ = returnReduce(anyTroubled_ || nBad > 0, orOp<bool>());
+    anyInvalid_ = returnReduce(anyInvalid_ || nBad > 0, orOp<bool>());
     return nBad;
 }
 
@@ -407,7 +407,7 @@ void Foam::gasEquations::receive
 
     if (accept(conserved) != 0)
     {
-        reportTrouble();
+        reportInvalidCells();
     }
     correctBoundary();
 }
@@ -434,12 +434,12 @@ void Foam::gasEquations::setSources
 }
 
 
-void Foam::gasEquations::reportTrouble()
+void Foam::gasEquations::reportInvalidCells()
 {
     label celli = -1;
     forAll(mesh_.C(), c)
     {
-        if (troubled_[c])
+        if (invalid_[c])
         {
             celli = c;
             break;
@@ -492,10 +492,10 @@ void Foam::gasEquations::reportTrouble()
 
 void Foam::gasEquations::calm()
 {
-    if (anyTroubled_)
+    if (anyInvalid_)
     {
-        std::fill(troubled_.begin(), troubled_.end(), 0);
-        anyTroubled_ = false;
+        std::fill(invalid_.begin(), invalid_.end(), 0);
+        anyInvalid_ = false;
     }
 }
 
@@ -518,18 +518,18 @@ void Foam::gasEquations::computeRate()
         }
     }
 
-    if (anyTroubled_)
+    if (anyInvalid_)
     {
         // Ranks must agree on the faces they share
         std::vector<double> flag(geometry_.nSlots());
         for (label c = 0; c < geometry_.nCells(); c++)
         {
-            flag[c] = troubled_[c];
+            flag[c] = invalid_[c];
         }
         geometry_.exchange(flag.data(), 1);
         for (label s = geometry_.nCells(); s < geometry_.nSlots(); s++)
         {
-            troubled_[s] = flag[s] > 0.5;
+            invalid_[s] = flag[s] > 0.5;
         }
     }
 

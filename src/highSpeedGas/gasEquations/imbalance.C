@@ -50,7 +50,7 @@ void Foam::gasEquations::scales
         {
             uu += q[2 + d]*q[2 + d];
         }
-        const double rho = q[0]/(closure_.R*q[1]);
+        const double rho = q[0]/(eos_.R*q[1]);
         const double speed = std::sqrt(uu) + soundSpeed_[c];
         double* s = &unknown[c*nVar_];
         s[0] = rho;
@@ -123,9 +123,9 @@ Foam::gasImbalance Foam::gasEquations::imbalance(const scalar bound) const
                 phi_.boundaryField()[patch.patchi][f - patch.start];
             const double* q = &primitive[geometry_.far[f]*nVar_];
             scalar H =
-                closure_.thermallyPerfect()
-              ? closure_.enthalpy<true>(q[1])
-              : closure_.enthalpy<false>(q[1]);
+                eos_.thermallyPerfect()
+              ? eos_.enthalpy<true>(q[1])
+              : eos_.enthalpy<false>(q[1]);
             for (int d = 0; d < nDim; d++)
             {
                 H += 0.5*sqr(q[2 + d]);
@@ -139,7 +139,7 @@ Foam::gasImbalance Foam::gasEquations::imbalance(const scalar bound) const
             const scalar least =
                 m == 0
               ? 0
-              : 1e-3*q[0]/(closure_.R*q[1])*geometry_.area[f]
+              : 1e-3*q[0]/(eos_.R*q[1])*geometry_.area[f]
                *soundSpeed_[geometry_.owner[f]];
             flows[4] += least;
             flows[5] += least*H;

@@ -15,7 +15,7 @@ void Foam::gasEquations::publish(const bool asWritten)
         const double* q = &primitive[c*nVar_];
         p[c] = q[0];
         T[c] = q[1];
-        rho_[c] = q[0]/(closure_.R*q[1]);
+        rho_[c] = q[0]/(eos_.R*q[1]);
         for (int d = 0; d < nDim; d++)
         {
             U_[c][geometry_.direction(d)] = q[2 + d];
@@ -70,7 +70,7 @@ void Foam::gasEquations::publish(const bool asWritten)
     {
         rho_.boundaryFieldRef()[patchi] ==
             p.boundaryField()[patchi]
-           /(closure_.R*T.boundaryField()[patchi]);
+           /(eos_.R*T.boundaryField()[patchi]);
     }
 
     properties_->update();
@@ -102,7 +102,7 @@ void Foam::gasEquations::storeOldTime()
 
 void Foam::gasEquations::checkTemperature()
 {
-    if (!closure_.thermallyPerfect())
+    if (!eos_.thermallyPerfect())
     {
         return;
     }

@@ -12,9 +12,9 @@ void Foam::gasEquations::soundSpeed(std::vector<double>& a) const
         const double T = primitive[s*nVar_ + 1];
         a[s] = std::sqrt
         (
-            closure_.thermallyPerfect()
-          ? closure_.soundSpeedSqr<true>(T)
-          : closure_.soundSpeedSqr<false>(T)
+            eos_.thermallyPerfect()
+          ? eos_.soundSpeedSqr<true>(T)
+          : eos_.soundSpeedSqr<false>(T)
         );
     }
 }
@@ -26,21 +26,21 @@ double Foam::gasEquations::diffusivity(const label f) const
     const label r = geometry_.far[f];
     const double* state = &primitive[r*nVar_];
     const double T = state[1];
-    double mu = closure_.viscosity(T);
-    const double density = state[0]/(closure_.R*T);
+    double mu = eos_.viscosity(T);
+    const double density = state[0]/(eos_.R*T);
     const double cv =
-        closure_.thermallyPerfect()
-      ? closure_.specificHeat<true>(T)
-      : closure_.cv;
+        eos_.thermallyPerfect()
+      ? eos_.specificHeat<true>(T)
+      : eos_.cv;
     double lambda =
-        closure_.thermallyPerfect()
-      ? closure_.conductivity<true>(mu, T)
-      : closure_.conductivity<false>(mu, T);
+        eos_.thermallyPerfect()
+      ? eos_.conductivity<true>(mu, T)
+      : eos_.conductivity<false>(mu, T);
     if (!eddyViscosity_.empty())
     {
         mu += max(eddyViscosity_[o], eddyViscosity_[r]);
         lambda +=
-            (cv + closure_.R)*max(eddyDiffusivity_[o], eddyDiffusivity_[r]);
+            (cv + eos_.R)*max(eddyDiffusivity_[o], eddyDiffusivity_[r]);
     }
     return
         max(4.0/3*mu, lambda/cv)/density

@@ -25,7 +25,7 @@ Foam::scalar Foam::gasEquations::relaxTurbulence()
     for (label c = 0; c < geometry_.nCells(); c++)
     {
         const double mu =
-            closure_.viscosity(primitive[c*nVar_ + 1])
+            eos_.viscosity(primitive[c*nVar_ + 1])
           + max(eddyViscosity_[c], before[c]);
         largest = max(largest, mag(eddyViscosity_[c] - before[c])/mu);
     }

@@ -47,22 +47,22 @@ void Foam::gasEquations::viscousFlux
     }
 
     const double T = q[1];
-    double mu = closure_.viscosity(T);
+    double mu = eos_.viscosity(T);
     double lambda =
-        closure_.thermallyPerfect()
-      ? closure_.conductivity<true>(mu, T)
-      : closure_.conductivity<false>(mu, T);
+        eos_.thermallyPerfect()
+      ? eos_.conductivity<true>(mu, T)
+      : eos_.conductivity<false>(mu, T);
     if (!eddyViscosity_.empty())
     {
         const label o = geometry_.owner[f];
         const label r = geometry_.far[f];
         const double cv =
-            closure_.thermallyPerfect()
-          ? closure_.specificHeat<true>(T)
-          : closure_.cv;
+            eos_.thermallyPerfect()
+          ? eos_.specificHeat<true>(T)
+          : eos_.cv;
         mu += (1 - share)*eddyViscosity_[o] + share*eddyViscosity_[r];
         lambda +=
-            (cv + closure_.R)
+            (cv + eos_.R)
            *((1 - share)*eddyDiffusivity_[o] + share*eddyDiffusivity_[r]);
     }
 
@@ -107,7 +107,7 @@ void Foam::gasEquations::hoopStress(const label f)
     const label c = geometry_.owner[f];
     const double* g = &gradient_[c*(nVar*nDim)];
     const double* n = &geometry_.normal[f*nDim];
-    double mu = closure_.viscosity(primitive[c*nVar + 1]);
+    double mu = eos_.viscosity(primitive[c*nVar + 1]);
     if (!eddyViscosity_.empty())
     {
         mu += eddyViscosity_[c];

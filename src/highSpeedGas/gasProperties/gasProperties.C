@@ -8,7 +8,7 @@
 Foam::gasProperties::gasProperties
 (
     fluidThermo& thermo,
-    const gasClosure& gas,
+    const gasEquationOfState& gas,
     const scalar offset,
     const bool transportKnown
 )

@@ -106,7 +106,7 @@ void Foam::steadySolution::approach
         Co = min(largestCo, implicit.localStep(Co) ? 1.1*Co : 0.5*Co);
         if (Co < 1e-3*min(settings_.maxCo, scalar(1)))
         {
-            equations_.reportTrouble();
+            equations_.reportInvalidCells();
         }
         iterated();
 

@@ -241,7 +241,8 @@ def check_ranks():
     found = re.search(r"Generating (\d+) particle tracks", text)
     verdict("released_particleTracks", found is not None
             and int(found.group(1)) == expected
-            and os.path.exists(f"{whole}/VTK/particleTracks.vtk"),
+            # (its folder and format depend on the release)
+            and glob.glob(f"{whole}/**/particleTracks.vt[kp]", recursive=True),
             f"{expected} tracks expected, "
             + (found.group(0) if found else "none"))
 

@@ -20,9 +20,9 @@ using Foam::faceBlock;
 namespace
 {
 
-Foam::gasClosure air()
+Foam::gasEquationOfState air()
 {
-    Foam::gasClosure gas{};
+    Foam::gasEquationOfState gas{};
     gas.R = 287.05;
     gas.cv = 2.5*gas.R;
     return gas;
@@ -253,7 +253,7 @@ TEST(fluxes, ofAThermallyPerfectGasWithConstantHeatAreThoseOfTheOther)
     const int n = 100;
     std::vector<double> e(n + 1);
     std::vector<double> c(n + 1, air().cv);
-    Foam::gasClosure table = air();
+    Foam::gasEquationOfState table = air();
     table.T0 = 100;
     table.dT = 10;
     table.n = n;

@@ -25,7 +25,12 @@ struct fluxJacobian
     //- Pressure change with the conserved variables
     double dp[nVar];
 
-    fluxJacobian(const double* q, const double* n, const gasClosure& gas)
+    fluxJacobian
+    (
+        const double* q,
+        const double* n,
+        const gasEquationOfState& gas
+    )
     {
         const double T = q[1];
         const double RT = gas.R*T;
@@ -321,7 +326,7 @@ void Foam::NewtonKrylov::addConvection()
 {
     constexpr int nVar = nDim + 2;
     const gasMesh& mesh = gas_.geometry();
-    const gasClosure& closure = gas_.closure();
+    const gasEquationOfState& eos = gas_.equationOfState();
     const double* primitive = gas_.primitive.data();
 
     // Share of the largest speed below which no wave's dissipation falls
@@ -337,7 +342,7 @@ void Foam::NewtonKrylov::addConvection()
         const double half = 0.5*mesh.area[f];
         const int diagonal = diagonal_[rowOf_[o]];
 
-        const fluxJacobian<nDim> Ao(qo, n, closure);
+        const fluxJacobian<nDim> Ao(qo, n, eos);
 
         if (f >= mesh.nInternal() && closed_[f - mesh.nInternal()])
         {
@@ -359,7 +364,7 @@ void Foam::NewtonKrylov::addConvection()
         {
             mean[k] = 0.5*(qo[k] + qr[k]);
         }
-        const fluxJacobian<nDim> between(mean, n, closure);
+        const fluxJacobian<nDim> between(mean, n, eos);
         double M[nVar][nVar];
         between.magnitude(floor, M);
 
@@ -368,7 +373,7 @@ void Foam::NewtonKrylov::addConvection()
 
         if (f < mesh.nInternal())
         {
-            const fluxJacobian<nDim> Ar(qr, n, closure);
+            const fluxJacobian<nDim> Ar(qr, n, eos);
             const int diagonalFar = diagonal_[rowOf_[r]];
             add(diagonalFar, r, r, -half, Ar.A);
             add(diagonalFar, r, r, half, M);

@@ -153,7 +153,7 @@ Foam::label Foam::RungeKutta::advance
             caution *= 0.5;
             if (caution < 1e-6)
             {
-                gas_.reportTrouble();
+                gas_.reportInvalidCells();
             }
         }
         gas_.calm();
@@ -185,7 +185,7 @@ void Foam::RungeKutta::localStep(const scalar Co)
         caution *= 0.5;
         if (caution < 1e-6)
         {
-            gas_.reportTrouble();
+            gas_.reportInvalidCells();
         }
     }
     while (true);

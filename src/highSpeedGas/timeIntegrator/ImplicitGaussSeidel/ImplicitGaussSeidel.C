@@ -52,7 +52,7 @@ void Foam::ImplicitGaussSeidel::linearise(const scalar Co)
 {
     constexpr int nVar = nDim + 2;
     const gasMesh& mesh = gas_.geometry();
-    const gasClosure& closure = gas_.closure();
+    const gasEquationOfState& eos = gas_.equationOfState();
     const double* q = gas_.primitive.data();
 
     gas_.faceSpectralRadius(lambda_);
@@ -80,16 +80,16 @@ void Foam::ImplicitGaussSeidel::linearise(const scalar Co)
     {
         const double T = q[c*nVar + 1];
         kappa_[c] =
-            closure.R
+            eos.R
            /(
-                closure.thermallyPerfect()
-              ? closure.specificHeat<true>(T)
-              : closure.cv
+                eos.thermallyPerfect()
+              ? eos.specificHeat<true>(T)
+              : eos.cv
             );
         energy_[c] =
-            closure.thermallyPerfect()
-          ? closure.energy<true>(T)
-          : closure.cv*T;
+            eos.thermallyPerfect()
+          ? eos.energy<true>(T)
+          : eos.cv*T;
     }
 }
 
@@ -138,7 +138,7 @@ inline void Foam::ImplicitGaussSeidel::relax(const label celli)
     // instead of once per face
     const double* q = &gas_.primitive[celli*nVar];
     const double e = energy_[celli];
-    const double RT = gas_.closure().R*q[1];
+    const double RT = gas_.equationOfState().R*q[1];
     double udm = 0;
     double uu = 0;
     for (int d = 0; d < nDim; d++)
@@ -230,7 +230,7 @@ void Foam::ImplicitGaussSeidel::update()
         // A cell that cannot follow is taken to first order in the next step
         if (share < 0.5)
         {
-            gas_.setTroubled(c);
+            gas_.setInvalid(c);
         }
     }
 }
