@@ -241,8 +241,8 @@ def check_ranks():
     found = re.search(r"Generating (\d+) particle tracks", text)
     verdict("released_particleTracks", found is not None
             and int(found.group(1)) == expected
-            # (its folder and format depend on the release)
-            and glob.glob(f"{whole}/**/particleTracks.vt[kp]", recursive=True),
+            # (its folder, name and format depend on the release)
+            and glob.glob(f"{whole}/**/*racks.vt[kp]", recursive=True),
             f"{expected} tracks expected, "
             + (found.group(0) if found else "none"))
 
