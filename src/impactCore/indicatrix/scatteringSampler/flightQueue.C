@@ -180,6 +180,7 @@ void impact::scatteringSampler::flightQueue::fly()
     if (left > 0)
     {
         smoothTurn(left, body, struck);
+        smoothTouch(left, body, struck);
         smoothImpact(left, body, struck);
         smoothCull(left, body, decide_, struck);
         int counts[4];
