@@ -285,7 +285,9 @@ impactInline void cull
         // already)
         const double rise = bounce*l.approach[i];
         const double needed = bend*w2*(R - y);
-        const bool gone = box ? boxLeaves(a, R, bend, 1e-9, y, Vy, w, m) : (Vy > 0)
+        const bool gone = box
+          ? boxLeaves(a, R, bend, 1e-9, y, Vy, w, m)
+          : (Vy > 0)
           & ((Vy*Vy >= offset*offset*w2) | (2*rise*Vy >= needed));
         const int stays = gone ? 0 : 1;
         l.mayReturn[i] = Vy > 0 ? stays : ifSinks;

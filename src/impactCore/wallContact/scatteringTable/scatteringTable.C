@@ -87,6 +87,25 @@ std::string keyOf(const std::string& line)
     return line.substr(0, line.find(' '));
 }
 
+
+//- The numbers of a row, and on to the next row: false if there are others
+bool takeRow(const char*& at, double (&v)[8])
+{
+    for (int k = 0; k < 8; ++k)
+    {
+        char* end;
+        v[k] = std::strtod(at, &end);
+        const char expected = k < 7 ? ',' : '\n';
+        const bool closed = *end == expected || (k == 7 && *end == '\r');
+        if (end == at || !closed || !(std::fabs(v[k]) < 1e30))
+        {
+            return false;
+        }
+        at = end + 1 + (*end == '\r');
+    }
+    return true;
+}
+
 } // End anonymous namespace
 
 
@@ -364,21 +383,13 @@ impact::scatteringTable::scatteringTable(const std::string& fileName)
     for (std::size_t i = 0; i < total; ++i)
     {
         double v[8];
-        for (int k = 0; k < 8; ++k)
+        if (!takeRow(at, v))
         {
-            char* end;
-            v[k] = std::strtod(at, &end);
-            const char expected = k < 7 ? ',' : '\n';
-            const bool closed = *end == expected || (k == 7 && *end == '\r');
-            if (end == at || !closed || !(std::fabs(v[k]) < 1e30))
-            {
-                refuse
-                (
-                    "table \"", fileName, "\", row ", i + 1, " of ", total,
-                    ": eight numbers expected"
-                );
-            }
-            at = end + 1 + (*end == '\r');
+            refuse
+            (
+                "table \"", fileName, "\", row ", i + 1, " of ", total,
+                ": eight numbers expected"
+            );
         }
         if (i % nRows == 0)
         {
