@@ -39,18 +39,11 @@ void impact::scatteringSampler::sampleSmooth
     for (int from = 0; from < n; from += batch)
     {
         const int m = std::min(batch, n - from);
-        if (still && !smooth_.vertices)
-        {
-            smoothMeet(isotropic, setup_.seed, first + from, m, V, smooth_, l);
-        }
-        else
-        {
-            smoothArrive
-            (
-                isotropic, setup_.seed, first + from, m, V, spin, smooth_, l
-            );
-            smoothImpact(m, smooth_, l);
-        }
+        smoothArrive
+        (
+            isotropic, setup_.seed, first + from, m, V, spin, smooth_, l
+        );
+        smoothImpact(m, smooth_, l);
         int counts[4];
         smoothTally(m, flights.small(), l, counts);
         flights.addCounts(m, counts);
