@@ -116,14 +116,18 @@ impactInline void advance
             stepBack(tau, g0_, g1_, root0, rate1, reach, 1e-30*R);
         const double shorter = stepShorter(tau, root0, root1, reach);
         const double longer = stepAhead(above, root1, rate1, reach, 0.9);
-        const double room = l.end[i] - t1;
+
+        // None at a height above all of the window. (As a part of `leaves' or
+        // as one side of a selection, what is loaded here would be loaded in
+        // a branch, for the lanes that want it: the others would compute with
+        // whatever their register held, and might trap)
+        const double below = cy - l.deep[i] > under.top ? 0. : 1e300;
+        const double room = smaller(below, l.end[i] - t1);
         const double onward = smaller(larger(longer, least), room);
 
         const double again = larger(pierced ? back : shorter, least);
         const double next = moves ? onward : again;
-        const bool leaves =
-            moves
-          & ((room <= least) | (cy - l.deep[i] > under.top));
+        const bool leaves = moves & (room <= least);
         const double wish = leaves ? roughStatus::window : 0.;
         const double ended = strikes ? roughStatus::strikes : wish;
         l.status[i] = special ? roughStatus::special : ended;
