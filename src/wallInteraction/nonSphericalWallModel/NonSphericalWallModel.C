@@ -2,12 +2,12 @@
     parcelImpact. License: GPL-3.0-or-later, see COPYING.
 \*---------------------------------------------------------------------------*/
 
-#include "NonSphericalRebound.H"
+#include "NonSphericalWallModel.H"
 
 // * * * * * * * * * * * * * * * Local Class * * * * * * * * * * * * * * * * //
 
 template<class CloudType>
-Foam::NonSphericalRebound<CloudType>::wallData::wallData
+Foam::NonSphericalWallModel<CloudType>::wallData::wallData
 (
     const wallData& other
 )
@@ -30,7 +30,7 @@ Foam::NonSphericalRebound<CloudType>::wallData::wallData
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<class CloudType>
-void Foam::NonSphericalRebound<CloudType>::compareWithFaces
+void Foam::NonSphericalWallModel<CloudType>::compareWithFaces
 (
     const impact::relief& relief,
     const label setting
@@ -63,8 +63,8 @@ void Foam::NonSphericalRebound<CloudType>::compareWithFaces
 
 
 template<class CloudType>
-typename Foam::NonSphericalRebound<CloudType>::wallData
-Foam::NonSphericalRebound<CloudType>::readWall
+typename Foam::NonSphericalWallModel<CloudType>::wallData
+Foam::NonSphericalWallModel<CloudType>::readWall
 (
     const dictionary& dict,
     const label setting
@@ -189,7 +189,7 @@ Foam::NonSphericalRebound<CloudType>::readWall
 
 
 template<class CloudType>
-impact::wallFrame Foam::NonSphericalRebound<CloudType>::frameOf
+impact::wallFrame Foam::NonSphericalWallModel<CloudType>::frameOf
 (
     const wallData& wall,
     const parcelType& p,
@@ -225,7 +225,7 @@ impact::wallFrame Foam::NonSphericalRebound<CloudType>::frameOf
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 template<class CloudType>
-Foam::NonSphericalRebound<CloudType>::NonSphericalRebound
+Foam::NonSphericalWallModel<CloudType>::NonSphericalWallModel
 (
     const dictionary& dict,
     CloudType& owner
@@ -260,7 +260,7 @@ Foam::NonSphericalRebound<CloudType>::NonSphericalRebound
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<class CloudType>
-bool Foam::NonSphericalRebound<CloudType>::correct
+bool Foam::NonSphericalWallModel<CloudType>::correct
 (
     parcelType& p,
     const polyPatch& pp,

@@ -2,10 +2,10 @@
     parcelImpact. License: GPL-3.0-or-later, see COPYING.
 \*---------------------------------------------------------------------------*/
 
-#include "HardSphereWall.H"
+#include "HardSphereWallModel.H"
 
 template<class CloudType>
-Foam::HardSphereWall<CloudType>::HardSphereWall
+Foam::HardSphereWallModel<CloudType>::HardSphereWallModel
 (
     const dictionary& dict,
     CloudType& owner
@@ -23,7 +23,7 @@ Foam::HardSphereWall<CloudType>::HardSphereWall
 
 
 template<class CloudType>
-bool Foam::HardSphereWall<CloudType>::correct
+bool Foam::HardSphereWallModel<CloudType>::correct
 (
     parcelType& p,
     const polyPatch& pp,

@@ -2,10 +2,10 @@
     parcelImpact. License: GPL-3.0-or-later, see COPYING.
 \*---------------------------------------------------------------------------*/
 
-#include "SemiEmpiricalRebound.H"
+#include "SemiEmpiricalWallModel.H"
 
 template<class CloudType>
-Foam::SemiEmpiricalRebound<CloudType>::SemiEmpiricalRebound
+Foam::SemiEmpiricalWallModel<CloudType>::SemiEmpiricalWallModel
 (
     const dictionary& dict,
     CloudType& owner
@@ -23,7 +23,7 @@ Foam::SemiEmpiricalRebound<CloudType>::SemiEmpiricalRebound
 
 
 template<class CloudType>
-bool Foam::SemiEmpiricalRebound<CloudType>::correct
+bool Foam::SemiEmpiricalWallModel<CloudType>::correct
 (
     parcelType& p,
     const polyPatch& pp,
