@@ -17,64 +17,91 @@ const char* const deviationRange = "[0, 1e6] m, flat to a mountain";
 const char* const scaleRange = "[1e-15, 1e6]";
 
 
-impact::convexBody readShape
-(
-    const dictionary& dict,
-    const fileName& casePath
-)
+typedef impact::convexBody body;
+
+impact::vector3 sizeOf(const dictionary& dict)
 {
-    typedef impact::convexBody body;
-    const word type
-    (
-        getWordOf
-        (
-            dict, "type", "",
-            {"sphere", "ellipsoid", "box", "truncatedBox", "polyhedron"}
-        )
-    );
-    refuseOthers
-    (
-        dict,
-        type == "sphere" ? wordList{"type", "diameter"}
-      : type == "truncatedBox" ? wordList{"type", "size", "cut"}
-      : type == "polyhedron" ? wordList{"type", "file", "scale"}
-      : wordList{"type", "size"}
-    );
-    const auto size = [&]()
+    return toCore(getComponents(dict, "size", validRange::diameter));
+}
+
+
+//- A shape: its word, its entries beside it, and how they make it
+struct shape
+{
+    word type;
+    wordList entries;
+    body (*make)(const dictionary& dict, const fileName& casePath);
+};
+
+
+const std::vector<shape>& shapes()
+{
+    static const std::vector<shape> rows =
     {
-        return toCore(getComponents(dict, "size", validRange::diameter));
+        {
+            "sphere", {"diameter"},
+            [](const dictionary& dict, const fileName&)
+            {
+                return body::sphere
+                (
+                    getNumber(dict, "diameter", validRange::diameter)
+                );
+            }
+        },
+        {
+            "ellipsoid", {"size"},
+            [](const dictionary& dict, const fileName&)
+            {
+                return body::ellipsoid(sizeOf(dict));
+            }
+        },
+        {
+            "box", {"size"},
+            [](const dictionary& dict, const fileName&)
+            {
+                return body::box(sizeOf(dict));
+            }
+        },
+        {
+            "truncatedBox", {"size", "cut"},
+            [](const dictionary& dict, const fileName&)
+            {
+                return body::truncatedBox
+                (
+                    sizeOf(dict),
+                    getNumber(dict, "cut", "(0, 0.5)", scalar(0.25))
+                );
+            }
+        },
+        {
+            "polyhedron", {"file", "scale"},
+            [](const dictionary& dict, const fileName& casePath)
+            {
+                return body::polyhedron
+                (
+                    getFile(dict, "file", casePath),
+                    getNumber(dict, "scale", scaleRange, scalar(1))
+                );
+            }
+        }
     };
-    return checked(dict, [&]() -> body
+    return rows;
+}
+
+
+body readShape(const dictionary& dict, const fileName& casePath)
+{
+    wordList types;
+    for (const shape& s : shapes())
     {
-        if (type == "sphere")
-        {
-            return body::sphere
-            (
-                getNumber(dict, "diameter", validRange::diameter)
-            );
-        }
-        if (type == "ellipsoid")
-        {
-            return body::ellipsoid(size());
-        }
-        if (type == "box")
-        {
-            return body::box(size());
-        }
-        if (type == "truncatedBox")
-        {
-            return body::truncatedBox
-            (
-                size(),
-                getNumber(dict, "cut", "(0, 0.5)", scalar(0.25))
-            );
-        }
-        return body::polyhedron
-        (
-            getFile(dict, "file", casePath),
-            getNumber(dict, "scale", scaleRange, scalar(1))
-        );
-    });
+        types.append(s.type);
+    }
+    const word type(getWordOf(dict, "type", "", types));
+    const shape& chosen = shapes()[types.find(type)];
+    wordList entries{"type"};
+    entries.append(chosen.entries);
+    refuseOthers(dict, entries);
+    return checked(dict, [&]() { return chosen.make(dict, casePath); });
 }
 
 
