@@ -59,28 +59,29 @@ def sealed(case, loading, d, steps, dt, u=(300, 0, 0), v=(0, 0, 0), T=500.,
            mode=None, writes=1, scatter=0., number=None,
            change=lambda cloud: cloud):
     """Gas and grains in a box without ends. cells: along each side, or along x
-    and y; T and p may have a value for each. scatter: half of the grains, in a
+    and y, or along all three; T and p may have a value for each. scatter: half of the grains, in a
     group of their own, are that much faster [m/s]."""
     L = 1e-3
-    nx, ny = (cells, cells) if np.ndim(cells) == 0 else cells
+    along = (cells, cells) if np.ndim(cells) == 0 else tuple(cells)
+    nx, ny, nz = (*along, 1)[:3]
     write_case(case, {"endTime": steps*dt, "deltaT": dt,
                       "writeInterval": steps*dt/writes, "libs": "(spinningParcel)",
                       "timePrecision": 12},
                {"mode": "transient", "viscous": "no", **(mode or {})})
-    sides = ("xMin", "xMax", "yMin", "yMax")
+    sides = [axis + end for axis in ("xyz" if nz > 1 else "xy")
+             for end in ("Min", "Max")]
     types = {side: "cyclic" for side in sides}
-    write_block(case, corners((nx*L, ny*L, L)), (nx, ny, 1),
-                types)
+    write_block(case, corners((nx*L, ny*L, nz*L)), (nx, ny, nz), types)
     must(case, "blockMesh")
-    fixed = {side: "type cyclic;" for side in sides}
-    fixed.update({side: "type empty;" for side in ("zMin", "zMax")})
+    fixed = {side: "type empty;" for side in ("zMin", "zMax")}
+    fixed.update({side: "type cyclic;" for side in sides})
     write_field(case, "p", p, fixed)
     write_field(case, "T", T, fixed)
     write_field(case, "U", u, fixed)
     mass = np.mean(p)/(R_GAS*np.mean(T))*L**3
     number = number or loading*mass/per_cell/(RHO_P*np.pi/6*d**3)
-    inner = [(np.array([i + (k + 0.5)/per_cell, j + 0.5, 0.5]))*L
-             for i in range(nx) for j in range(ny)
+    inner = [np.array([i + (k + 0.5)/per_cell, j + 0.5, m + 0.5])*L
+             for i in range(nx) for j in range(ny) for m in range(nz)
              for k in range(per_cell)]
     write_foam(case, "constant/positions", "(\n" + "\n".join(
         "(%.17g %.17g %.17g)" % tuple(x) for x in inner) + "\n)",

@@ -195,11 +195,11 @@ verdict("two_clouds", max(off) < 1e-10, "off by %.1e, %.1e" % off)
 
 # Sources spread over a length: the kernel of one implicit step on a periodic
 # line, the totals, ranks. So short a step that the gas does not carry it on
-def spread_out(case, length, steps=1, dt=1e-12, number=None):
+def spread_out(case, length, steps=1, dt=1e-12, number=None, cells=(40, 1),
+               place="0.0105 0.0005 0.0005"):
     sealed(case, 1, 1e-7, steps, dt, u=U0, T=T0, T_dust=TD,
-           cells=(40, 1), number=number, writes=min(steps, 2))
-    write_foam(case, "constant/positions", "((0.0105 0.0005 0.0005))",
-               "vectorField")
+           cells=cells, number=number, writes=min(steps, 2))
+    write_foam(case, "constant/positions", f"(({place}))", "vectorField")
     if length:
         write_foam(case, "constant/parcelClouds",
                    f"clouds (sand); sourceSmoothing {length!r};")
@@ -213,8 +213,10 @@ for name, length in (("pointed", 0), ("spread", 0.003), ("bare", 0)):
 
 def received(case):
     """Momentum along x and y [kg m/s] and energy [J] of each cell."""
-    rho, p, T, u = (np.full((40, w), np.reshape(q, (-1, w))) for w, q in zip(
-        (1, 1, 1, 3), last_fields(case, "rho p T U")))
+    fields = [np.reshape(q, (-1, w)) for w, q in zip(
+        (1, 1, 1, 3), last_fields(case, "rho p T U"))]
+    n = max(map(len, fields))
+    rho, p, T, u = (np.full((n, q.shape[1]), q) for q in fields)
     rho, p, T = rho[:, 0], p[:, 0], T[:, 0]
     e = (CP - p/(rho*T))*T + 0.5*np.sum(u**2, axis=1)
     return 1e-9*np.column_stack((rho*u[:, 0], rho*u[:, 1], rho*e))
@@ -233,6 +235,28 @@ verdict("smoothing", off < 1e-5*kernel.max() and total.max() < 1e-14,
         "off the exact spread (%.2g of the source in the cell of the grain,"
         " deviation %.2f cells of 3) by %.1e; totals of momentum and energy"
         " by %.1e of the gas'" % (kernel[10], width, off, total.max()))
+
+# The same in space, where the kernel is known by its transform
+N = 12
+for name, length in (("pointedBox", 0), ("spreadBox", 0.002), ("bareBox", 0)):
+    spread_out(name, length, number=GRAINS if name != "bareBox"
+               else 1e-12*GRAINS, cells=(N, N, N), place="0.0055 0.0035 0.0075")
+    solve(name)
+bare = received("bareBox")
+pointed, wide = (received(case) - bare for case in ("pointedBox", "spreadBox"))
+here = 5 + N*(3 + N*7)
+wave = 4*np.sin(np.pi*np.arange(N)/N)**2
+damping = 1 + 0.5*2**2*(wave[:, None, None] + wave[None, :, None] + wave)
+source = np.zeros(N**3)
+source[here] = 1
+kernel = np.fft.ifftn(np.fft.fftn(source.reshape(N, N, N))/damping).real.ravel()
+off = np.abs(wide/pointed[here] - kernel[:, None]).max()
+total = np.abs(wide.sum(axis=0) - pointed.sum(axis=0))/bare.sum(axis=0)
+verdict("smoothing_in_space",
+        off < 1e-5*kernel.max() and total.max() < 1e-14,
+        "off the exact spread (%.2g of the source in the cell of the grain) by"
+        " %.1e; totals of momentum and energy by %.1e of the gas'" % (
+            kernel.max(), off, total.max()))
 
 spread_out("spreadSerial", 0.003, 10, 1e-7, 1e-2*GRAINS)
 ranks = copy_case("spreadSerial", "spreadRanks")
