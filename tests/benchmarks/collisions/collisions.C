@@ -327,6 +327,157 @@ int runStream
     return 0;
 }
 
+
+//- What is to be run
+struct box
+{
+    int dimension;
+    int n;
+    double fraction;
+    const char* surface;
+    double wanted;          // collisions
+
+    bool rough() const
+    {
+        return std::string(surface) == "rough";
+    }
+
+    double L() const
+    {
+        return dimension == 3
+          ? std::cbrt(n*M_PI/6/fraction) : std::sqrt(n*M_PI/4/fraction);
+    }
+};
+
+
+//- Spheres on a lattice, with velocities of a gas
+void fill(hardSphereGas<>& gas, const box& run)
+{
+    const int n = run.n, dimension = run.dimension;
+    const double L = run.L();
+    const int m = int(std::ceil(std::pow(n, 1./dimension) - 1e-9));
+    counterRandom rnd(61);
+    for (int i = 0; i < n; ++i)
+    {
+        gasSphere s =
+            {std::uint64_t(i), 1, 0.5, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+        const int c[3] = {i % m, i/m % m, i/m/m};
+        for (int k = 0; k < dimension; ++k)
+        {
+            s.x[k] = (c[k] + 0.5)*L/m;
+            s.v[k] = rnd.normal();
+        }
+        gas.add(s);
+    }
+}
+
+
+//- Until there have been so many more collisions
+void runFor(hardSphereGas<>& gas, double L, double collisions)
+{
+    const double start = gas.time();
+    const std::uint64_t before = gas.counts().pairEvents;
+    double part = 0.02*L;
+    while (double(gas.counts().pairEvents - before) < collisions)
+    {
+        gas.run(part);
+        const double done = double(gas.counts().pairEvents - before);
+        part = std::min
+        (
+            2*part,
+            (gas.time() - start)*(collisions - done + 1)/(done + 1)
+        );
+        part = std::max(part, 1e-3*(gas.time() - start));
+    }
+}
+
+
+void runEvents(hardSphereGas<>& gas, const box& run)
+{
+    const int n = run.n, dimension = run.dimension;
+    const double fraction = run.fraction;
+    const collisionCounts before = gas.counts();
+    const std::size_t allocated = allocations;
+    const double E =
+        gas.translationalEnergy() + gas.rotationalEnergy();
+    const double T =
+        2*gas.translationalEnergy()/(dimension*(n - 1.));
+    const double from = gas.time();
+    const double start = cpu();
+    runFor(gas, run.L(), run.wanted);
+    const double used = cpu() - start;
+    const double done =
+        double(gas.counts().pairEvents - before.pairEvents);
+    const double drift =
+        (gas.translationalEnergy() + gas.rotationalEnergy())/E - 1;
+
+    // Enskog's rate with the contact values of Carnahan and Starling and
+    // of Henderson; rough spheres do not keep their temperature exactly
+    const double contact = dimension == 3
+      ? (1 - fraction/2)/std::pow(1 - fraction, 3)
+      : (1 - 7*fraction/16)/std::pow(1 - fraction, 2);
+    const double rate = (dimension == 3 ? 4*6 : 2*4)/std::sqrt(M_PI)
+       *fraction*contact*std::sqrt(T);
+    std::string overTheory;
+    if (!run.rough())
+    {
+        char text[40];
+        std::snprintf
+        (
+            text, sizeof text, "%.4f",
+            2*done/(n - 1)/(gas.time() - from)/rate
+        );
+        overTheory = text;
+    }
+    std::printf
+    (
+        "event,%d,%d,%g,%s,%.0f,%.3g,%.3g,%.2g,%zu,%.1e,%s,,\n",
+        dimension, n, fraction, run.surface, done, used, done/used,
+        1e6*used/done, allocations - allocated, std::fabs(drift),
+        overTheory.c_str()
+    );
+}
+
+
+void runBruteForce(hardSphereGas<>& gas, const pairLaw& law, const box& run)
+{
+    const int n = run.n, dimension = run.dimension;
+    const double L = run.L();
+    std::vector<gasSphere> start(n);
+    for (int i = 0; i < n; ++i)
+    {
+        start[gas.particle(i).identity] = gas.particle(i);
+    }
+    const double from = gas.time();
+    runFor(gas, L, run.wanted);
+    bruteForce all(start, law, L, dimension);
+    const std::size_t allocated = allocations;
+    const double begin = cpu();
+    all.run(gas.time() - from);
+    const double used = cpu() - begin;
+    double E0 = 0, E1 = 0, difference = 0;
+    for (int i = 0; i < n; ++i)
+    {
+        const gasSphere a = gas.particle(i);
+        const gasSphere& b = all.sphere(int(a.identity));
+        vector3 d = a.x - b.x;
+        for (int k = 0; k < dimension; ++k)
+        {
+            d[k] -= L*std::round(d[k]/L);
+        }
+        difference = std::max(difference, mag(d));
+        E0 += dot(start[i].v, start[i].v);
+        E1 += dot(all.sphere(i).v, all.sphere(i).v);
+    }
+    std::printf
+    (
+        "bruteForce,%d,%d,%g,%s,%.0f,%.3g,%.3g,%.3g,%zu,%.1e,,%.0e,\n",
+        dimension, n, run.fraction, run.surface, double(all.collisions), used,
+        all.collisions/used, 1e6*used/all.collisions,
+        allocations - allocated, std::fabs(E1/E0 - 1), difference
+    );
+}
+
 } // End anonymous namespace
 
 
@@ -350,136 +501,33 @@ int main(int argc, char** argv)
             std::atof(argv[5]), std::atoi(argv[6])
         );
     }
-    const bool brute = std::string(argv[1]) == "bruteForce";
-    const int dimension = std::atoi(argv[2]);
-    const int n = std::atoi(argv[3]);
-    const double fraction = std::atof(argv[4]);
-    const bool rough = std::string(argv[5]) == "rough";
-    const double wanted = std::atof(argv[6]);
-
-    const double L = dimension == 3
-      ? std::cbrt(n*M_PI/6/fraction) : std::sqrt(n*M_PI/4/fraction);
+    const box run =
+    {
+        std::atoi(argv[2]), std::atoi(argv[3]), std::atof(argv[4]), argv[5],
+        std::atof(argv[6])
+    };
+    const double L = run.L();
     collisionDomain domain;
     domain.high = {L, L, L};
-    for (int k = 0; k < dimension; ++k)
+    for (int k = 0; k < run.dimension; ++k)
     {
         domain.periodic[k] = true;
     }
     // Rough spheres that lose nothing: the state stays the same
+    const bool rough = run.rough();
     const pairLaw law(1, rough ? 1e12 : 0, true, rough ? 1 : 0);
-    hardSphereGas<> gas(domain, law, dimension);
-    const int m = int(std::ceil(std::pow(n, 1./dimension) - 1e-9));
-    counterRandom rnd(61);
-    for (int i = 0; i < n; ++i)
-    {
-        gasSphere s =
-            {std::uint64_t(i), 1, 0.5, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
-        const int c[3] = {i % m, i/m % m, i/m/m};
-        for (int k = 0; k < dimension; ++k)
-        {
-            s.x[k] = (c[k] + 0.5)*L/m;
-            s.v[k] = rnd.normal();
-        }
-        gas.add(s);
-    }
+    hardSphereGas<> gas(domain, law, run.dimension);
+    fill(gas, run);
 
     // Into equilibrium, and the arrays to their size
-    const auto runFor = [&](double collisions)
+    runFor(gas, L, 5.*run.n);
+    if (std::string(argv[1]) == "bruteForce")
     {
-        const double start = gas.time();
-        const std::uint64_t before = gas.counts().pairEvents;
-        double part = 0.02*L;
-        while (double(gas.counts().pairEvents - before) < collisions)
-        {
-            gas.run(part);
-            const double done = double(gas.counts().pairEvents - before);
-            part = std::min
-            (
-                2*part,
-                (gas.time() - start)*(collisions - done + 1)/(done + 1)
-            );
-            part = std::max(part, 1e-3*(gas.time() - start));
-        }
-    };
-    runFor(5.*n);
-
-    if (!brute)
-    {
-        const collisionCounts before = gas.counts();
-        const std::size_t allocated = allocations;
-        const double E =
-            gas.translationalEnergy() + gas.rotationalEnergy();
-        const double T =
-            2*gas.translationalEnergy()/(dimension*(n - 1.));
-        const double from = gas.time();
-        const double start = cpu();
-        runFor(wanted);
-        const double used = cpu() - start;
-        const double done =
-            double(gas.counts().pairEvents - before.pairEvents);
-        const double drift =
-            (gas.translationalEnergy() + gas.rotationalEnergy())/E - 1;
-
-        // Enskog's rate with the contact values of Carnahan and Starling and
-        // of Henderson; rough spheres do not keep their temperature exactly
-        const double contact = dimension == 3
-          ? (1 - fraction/2)/std::pow(1 - fraction, 3)
-          : (1 - 7*fraction/16)/std::pow(1 - fraction, 2);
-        const double rate = (dimension == 3 ? 4*6 : 2*4)/std::sqrt(M_PI)
-           *fraction*contact*std::sqrt(T);
-        std::string overTheory;
-        if (!rough)
-        {
-            char text[40];
-            std::snprintf
-            (
-                text, sizeof text, "%.4f",
-                2*done/(n - 1)/(gas.time() - from)/rate
-            );
-            overTheory = text;
-        }
-        std::printf
-        (
-            "event,%d,%d,%g,%s,%.0f,%.3g,%.3g,%.2g,%zu,%.1e,%s,,\n",
-            dimension, n, fraction, argv[5], done, used, done/used,
-            1e6*used/done, allocations - allocated, std::fabs(drift),
-            overTheory.c_str()
-        );
-        return 0;
+        runBruteForce(gas, law, run);
     }
-
-    std::vector<gasSphere> start(n);
-    for (int i = 0; i < n; ++i)
+    else
     {
-        start[gas.particle(i).identity] = gas.particle(i);
+        runEvents(gas, run);
     }
-    const double from = gas.time();
-    runFor(wanted);
-    bruteForce all(start, law, L, dimension);
-    const std::size_t allocated = allocations;
-    const double begin = cpu();
-    all.run(gas.time() - from);
-    const double used = cpu() - begin;
-    double E0 = 0, E1 = 0, difference = 0;
-    for (int i = 0; i < n; ++i)
-    {
-        const gasSphere a = gas.particle(i);
-        const gasSphere& b = all.sphere(int(a.identity));
-        vector3 d = a.x - b.x;
-        for (int k = 0; k < dimension; ++k)
-        {
-            d[k] -= L*std::round(d[k]/L);
-        }
-        difference = std::max(difference, mag(d));
-        E0 += dot(start[i].v, start[i].v);
-        E1 += dot(all.sphere(i).v, all.sphere(i).v);
-    }
-    std::printf
-    (
-        "bruteForce,%d,%d,%g,%s,%.0f,%.3g,%.3g,%.3g,%zu,%.1e,,%.0e,\n",
-        dimension, n, fraction, argv[5], double(all.collisions), used,
-        all.collisions/used, 1e6*used/all.collisions,
-        allocations - allocated, std::fabs(E1/E0 - 1), difference
-    );
     return 0;
 }

@@ -360,10 +360,171 @@ TEST(reboundLaw, frictionAgreesWithAPlainIntegration)
 }
 
 
+namespace
+{
+
+//- Impact with friction by Runge-Kutta steps of another library, of order 8 and
+//  by the normal impulse, the ends of its parts by bisection
+class exactImpact
+{
+    //- Impulse and work of the normal force
+    struct process
+    {
+        Eigen::Vector3d S;
+        double work;
+    };
+
+    Eigen::Matrix3d W_;
+    Eigen::Vector3d n_, V0_;
+    double mu_, e_;
+    Eigen::Vector3d fixed_ = Eigen::Vector3d::Zero();
+    bool slides_ = true;
+    process q_ = {Eigen::Vector3d::Zero(), 0};
+
+    Eigen::Vector3d tangent(const Eigen::Vector3d& v) const
+    {
+        return v - v.dot(n_)*n_;
+    }
+
+    Eigen::Vector3d velocity(const Eigen::Vector3d& S) const
+    {
+        return V0_ + W_*S;
+    }
+
+    process step(const process& a, double h) const
+    {
+        typedef std::array<double, 4> values;
+        boost::numeric::odeint::runge_kutta_fehlberg78<values> stepper;
+        values y = {a.S.x(), a.S.y(), a.S.z(), a.work};
+        const auto rate = [&](const values& at, values& dydp, double)
+        {
+            const Eigen::Vector3d v = velocity({at[0], at[1], at[2]});
+            const Eigen::Vector3d d = slides_
+              ? Eigen::Vector3d(n_ - mu_*tangent(v).normalized()) : fixed_;
+            dydp = {d.x(), d.y(), d.z(), n_.dot(v)};
+        };
+        stepper.do_step(rate, y, 0, h);
+        return {{y[0], y[1], y[2]}, y[3]};
+    }
+
+    //- Rest if the cone allows it, else the direction that slip off keeps,
+    //  found among many
+    void endSlip()
+    {
+        slides_ = false;
+        const Eigen::Vector3d a = n_.unitOrthogonal();
+        Eigen::Matrix<double, 3, 2> T;
+        T << a, n_.cross(a);
+        const Eigen::Matrix2d K = T.transpose()*W_*T;
+        const Eigen::Vector2d f = T.transpose()*W_*n_;
+        const Eigen::Vector2d hold = -K.ldlt().solve(f);
+        fixed_ = n_ + T*hold;
+        if (hold.norm() <= mu_)
+        {
+            return;
+        }
+        double best = -1, last = 0;
+        const int many = 100000;
+        for (int m = 0; m <= many; ++m)
+        {
+            const double w = 2*M_PI*m/many;
+            const Eigen::Vector2d s(std::cos(w), std::sin(w));
+            const Eigen::Vector2d g = f - mu_*K*s;
+            const double turning = s.x()*g.y() - s.y()*g.x();
+            if (m && (turning > 0) != (last > 0) && g.dot(s) > best)
+            {
+                best = g.dot(s);
+                fixed_ = n_ - mu_*T*s;
+            }
+            last = turning;
+        }
+    }
+
+
+public:
+
+    bool slipEnded = false;
+
+    exactImpact(const randomImpact& c, double mu, double e)
+    :
+        W_(c.inverseMass()),
+        n_(eigen(c.n)),
+        V0_(eigen(c.V + cross(c.omega, c.r))),
+        mu_(mu),
+        e_(e)
+    {}
+
+    bool approaches() const
+    {
+        return V0_.dot(n_) <= -0.01*V0_.norm();
+    }
+
+    void run()
+    {
+        const double unit = V0_.norm();
+        double compression = 0;
+        bool restituting = false;
+        for (int k = 0; k < 1000000; ++k)
+        {
+            const Eigen::Vector3d t = tangent(velocity(q_.S));
+            if (slides_ && t.norm() < 1e-9*unit)
+            {
+                slipEnded = true;
+                endSlip();
+            }
+            const double h =
+                slides_ ? std::min(0.01*unit, 0.02*t.norm()) : 0.01*unit;
+            const auto past = [&](const process& p)
+            {
+                return restituting
+                  ? p.work >= compression*(1 - e_*e_)
+                  : velocity(p.S).dot(n_) >= 0;
+            };
+            process next = step(q_, h);
+            const bool ends = past(next);
+            if (ends)
+            {
+                double lo = 0, hi = h;
+                for (int m = 0; m < 50; ++m)
+                {
+                    const double mid = 0.5*(lo + hi);
+                    (past(step(q_, mid)) ? hi : lo) = mid;
+                }
+                next = step(q_, hi);
+            }
+            q_ = next;
+            if (ends && (restituting || e_ == 0))
+            {
+                return;
+            }
+            if (ends)
+            {
+                compression = q_.work;
+                restituting = true;
+            }
+            else if (restituting && velocity(q_.S).dot(n_) < 0)
+            {
+                restituting = false;
+            }
+        }
+    }
+
+    const Eigen::Vector3d& impulse() const
+    {
+        return q_.S;
+    }
+
+    bool slipTurned() const
+    {
+        return tangent(velocity(q_.S)).dot(tangent(V0_)) < 0;
+    }
+};
+
+} // End anonymous namespace
+
+
 TEST(reboundLaw, frictionIsExact)
 {
-    // Runge-Kutta steps of another library, of order 8 and by the normal
-    // impulse, their ends by bisection
     int slipEnded = 0, turned = 0;
     for (int i = 0; i < 240; ++i)
     {
@@ -377,132 +538,21 @@ TEST(reboundLaw, frictionIsExact)
             c.V = -100*c.n + (20*rnd.uniform())*randomUnit(rnd);
             c.omega = {0, 0, 0};
         }
-        const Eigen::Matrix3d W = c.inverseMass();
-        const Eigen::Vector3d n = eigen(c.n);
-        const Eigen::Vector3d V0 = eigen(c.V + cross(c.omega, c.r));
-        const double unit = V0.norm();
-        if (V0.dot(n) > -0.01*unit)
+        exactImpact exact(c, mu, e);
+        if (!exact.approaches())
         {
             continue;
         }
-        auto tangent = [&](const Eigen::Vector3d& v)
-        {
-            return Eigen::Vector3d(v - v.dot(n)*n);
-        };
-
-        // Impulse and work of the normal force
-        struct process
-        {
-            Eigen::Vector3d S;
-            double work;
-        };
-        process q = {Eigen::Vector3d::Zero(), 0};
-        auto velocity = [&](const Eigen::Vector3d& S)
-        {
-            return Eigen::Vector3d(V0 + W*S);
-        };
-        Eigen::Vector3d fixed = Eigen::Vector3d::Zero();
-        bool slides = true;
-        auto direction = [&](const Eigen::Vector3d& v)
-        {
-            return slides
-              ? Eigen::Vector3d(n - mu*tangent(v).normalized()) : fixed;
-        };
-        typedef std::array<double, 4> values;
-        boost::numeric::odeint::runge_kutta_fehlberg78<values> stepper;
-        auto step = [&](const process& a, double h)
-        {
-            values y = {a.S.x(), a.S.y(), a.S.z(), a.work};
-            auto rate = [&](const values& at, values& dydp, double)
-            {
-                const Eigen::Vector3d v = velocity({at[0], at[1], at[2]});
-                const Eigen::Vector3d d = direction(v);
-                dydp = {d.x(), d.y(), d.z(), n.dot(v)};
-            };
-            stepper.do_step(rate, y, 0, h);
-            return process{{y[0], y[1], y[2]}, y[3]};
-        };
-        double compression = 0;
-        bool restituting = false;
-        const Eigen::Vector3d t0 = tangent(V0);
-        for (int k = 0; k < 1000000; ++k)
-        {
-            const Eigen::Vector3d v = velocity(q.S), t = tangent(v);
-            if (slides && t.norm() < 1e-9*unit)
-            {
-                // Rest if the cone allows it, else the direction that slip
-                // off keeps, found among many
-                ++slipEnded;
-                slides = false;
-                Eigen::Vector3d a = n.unitOrthogonal();
-                Eigen::Matrix<double, 3, 2> T;
-                T << a, n.cross(a);
-                const Eigen::Matrix2d K = T.transpose()*W*T;
-                const Eigen::Vector2d f = T.transpose()*W*n;
-                const Eigen::Vector2d hold = -K.ldlt().solve(f);
-                fixed = n + T*hold;
-                if (hold.norm() > mu)
-                {
-                    double best = -1, last = 0;
-                    const int many = 100000;
-                    for (int m = 0; m <= many; ++m)
-                    {
-                        const double w = 2*M_PI*m/many;
-                        const Eigen::Vector2d s(std::cos(w), std::sin(w));
-                        const Eigen::Vector2d g = f - mu*K*s;
-                        const double turning = s.x()*g.y() - s.y()*g.x();
-                        if (m && (turning > 0) != (last > 0) && g.dot(s) > best)
-                        {
-                            best = g.dot(s);
-                            fixed = n - mu*T*s;
-                        }
-                        last = turning;
-                    }
-                }
-            }
-            double h = 0.01*unit;
-            if (slides)
-            {
-                h = std::min(h, 0.02*t.norm());
-            }
-            process next = step(q, h);
-            auto past = [&](const process& p)
-            {
-                return restituting
-                  ? p.work >= compression*(1 - e*e)
-                  : velocity(p.S).dot(n) >= 0;
-            };
-            const bool ends = past(next);
-            if (ends)
-            {
-                double lo = 0, hi = h;
-                for (int m = 0; m < 50; ++m)
-                {
-                    const double mid = 0.5*(lo + hi);
-                    (past(step(q, mid)) ? hi : lo) = mid;
-                }
-                next = step(q, hi);
-            }
-            q = next;
-            if (ends && (restituting || e == 0))
-            {
-                break;
-            }
-            if (ends)
-            {
-                compression = q.work;
-                restituting = true;
-            }
-            else if (restituting && velocity(q.S).dot(n) < 0)
-            {
-                restituting = false;
-            }
-        }
-        turned += tangent(velocity(q.S)).dot(t0) < 0;
+        exact.run();
+        slipEnded += exact.slipEnded;
+        turned += exact.slipTurned();
         const impactRecord out = reboundLaw::coulomb(e, mu).impact
             (c.body.inertia(), c.r, c.n, c.V, c.omega);
-        EXPECT_LT((eigen(out.dV) - q.S).norm(), 3e-8*q.S.norm())
-            << "run " << i << " friction " << mu << " restitution " << e;
+        EXPECT_LT
+        (
+            (eigen(out.dV) - exact.impulse()).norm(),
+            3e-8*exact.impulse().norm()
+        ) << "run " << i << " friction " << mu << " restitution " << e;
     }
     EXPECT_GT(slipEnded, 40);
     EXPECT_GT(turned, 10);
