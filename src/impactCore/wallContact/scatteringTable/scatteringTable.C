@@ -304,13 +304,12 @@ void impact::scatteringTable::write
 }
 
 
-impact::scatteringTable::scatteringTable(const std::string& fileName)
+long impact::scatteringTable::readHead
+(
+    std::istream& file,
+    const std::string& fileName
+)
 {
-    std::ifstream file(fileName, std::ios::binary);
-    if (!file)
-    {
-        refuse("table \"", fileName, "\" cannot be read");
-    }
     std::string line;
     std::getline(file, line);
     if (line != firstLine)
@@ -371,14 +370,25 @@ impact::scatteringTable::scatteringTable(const std::string& fileName)
         );
     }
     nRows_ = int(nRows);
+    return nIncidences;
+}
 
+
+impact::scatteringTable::scatteringTable(const std::string& fileName)
+{
+    std::ifstream file(fileName, std::ios::binary);
+    if (!file)
+    {
+        refuse("table \"", fileName, "\" cannot be read");
+    }
+    const std::size_t total =
+        std::size_t(readHead(file, fileName))*std::size_t(nRows_);
     const std::string body
     (
         (std::istreambuf_iterator<char>(file)),
         std::istreambuf_iterator<char>()
     );
     const char* at = body.c_str();
-    const std::size_t total = std::size_t(nIncidences*nRows);
     rows_.reserve(total);
     for (std::size_t i = 0; i < total; ++i)
     {
@@ -391,7 +401,7 @@ impact::scatteringTable::scatteringTable(const std::string& fileName)
                 ": eight numbers expected"
             );
         }
-        if (i % nRows == 0)
+        if (i % std::size_t(nRows_) == 0)
         {
             if (!incidences_.empty() && !(v[0] > incidences_.back()))
             {
