@@ -30,9 +30,9 @@ impactInline double length(double x, double y, double z)
 //- What a rate changes in a step that may be long for its relaxation k
 impactInline double gain(double rate, double k, double h)
 {
-    const double hk = h*k;
-    const double most = rate*h;
-    return hk > 1 ? most/(hk > 1 ? hk : 1) : most;
+    // The larger of h k and 1 without a selection, of which a compiler would
+    // divide by both sides, zero among them
+    return rate*h/(1 + impact::positivePart(h*k - 1));
 }
 
 } // End namespace

@@ -111,10 +111,9 @@ impactInline void advance
             const bool sure = reaches(newton, rate1, reach, root1);
             const double ahead =
                 stepAhead(above, root1, rate1, reach, 0.9);
-            const double left = f.target[i] - t1;
+            const double left = f.target[i] - t1 + (sure ? 1e300 : 0.);
             const double longer =
-                (!ellipsoid) & !sure & (left > 0) & (left < ahead)
-              ? left : ahead;
+                (!ellipsoid) & (left > 0) & (left < ahead) ? left : ahead;
             const double trial =
                 pierced ? back : step ? longer : shorter;
 

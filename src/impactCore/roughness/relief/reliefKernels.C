@@ -236,9 +236,10 @@ impactKernel void splineMoments
         for (int p = 0; p < lanes; ++p)
         {
             const int k = p*part + j;
-            const bool inside = k < n - 1;
-            const int at = inside ? k : n - 1;
-            m[p] = inside ? moment[at] - ratio[at]*m[p] : 0;
+
+            // Zero at the last knot, and so behind it
+            const int at = std::min(k, n - 1);
+            m[p] = moment[at] - ratio[at]*m[p];
         }
         if (j < part)
         {
