@@ -51,8 +51,29 @@ Foam::label Foam::exactSums::size() const
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::exactSums::write(const label nSteps) const
+Foam::IOdictionary Foam::exactSums::state
+(
+    const fvMesh& mesh,
+    const word& name,
+    const IOobject::readOption read
+)
 {
+    return IOdictionary(exactSums(mesh, name).object(read));
+}
+
+
+void Foam::exactSums::write
+(
+    const word& stateName,
+    const label nSteps,
+    const scalar duration
+) const
+{
+    IOdictionary means(state(mesh_, stateName));
+    means.add("nSteps", nSteps);
+    means.add("duration", duration);
+    means.regIOobject::write();
+
     const scalarList head(owner(nSteps));
     scalarIOField all(object(IOobject::NO_READ), head.size() + size());
     scalar* to = std::copy(head.begin(), head.end(), all.begin());

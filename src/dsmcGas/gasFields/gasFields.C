@@ -234,18 +234,14 @@ Foam::gasFields::gasFields
     cells_(mesh.nCells(), sums()),
     walls_(mesh.nFaces() - mesh.nInternalFaces(), wallSums())
 {
-    IOdictionary state
+    const IOdictionary state
     (
-        IOobject
+        exactSums::state
         (
-            stateName,
-            mesh.time().timeName(),
-            "uniform",
             mesh,
+            stateName,
             suffix_ == meanSuffix
-          ? IOobject::READ_IF_PRESENT : IOobject::NO_READ,
-            IOobject::NO_WRITE,
-            false
+          ? IOobject::READ_IF_PRESENT : IOobject::NO_READ
         )
     );
     const bool continued = state.found("nSteps");
@@ -481,21 +477,6 @@ void Foam::gasFields::update()
 
 void Foam::gasFields::writeState() const
 {
-    IOdictionary state
-    (
-        IOobject
-        (
-            stateName,
-            mesh_.time().timeName(),
-            "uniform",
-            mesh_,
-            IOobject::NO_READ,
-            IOobject::NO_WRITE,
-            false
-        )
-    );
-    state.add("nSteps", nSteps_);
-    state.add("duration", duration_);
-    state.regIOobject::write();
-    const_cast<gasFields&>(*this).savedSums().write(nSteps_);
+    const_cast<gasFields&>(*this)
+        .savedSums().write(stateName, nSteps_, duration_);
 }

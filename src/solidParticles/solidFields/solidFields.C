@@ -255,17 +255,13 @@ Foam::solidFields::solidFields
         walls_.resize(mesh.nFaces() - mesh.nInternalFaces(), wallSums());
     }
 
-    IOdictionary state
+    const IOdictionary state
     (
-        IOobject
+        exactSums::state
         (
-            stateName,
-            mesh.time().timeName(),
-            "uniform",
             mesh,
-            IOobject::READ_IF_PRESENT,
-            IOobject::NO_WRITE,
-            false
+            stateName,
+            IOobject::READ_IF_PRESENT
         )
     );
     const bool continued = state.found("nSteps");
@@ -422,21 +418,6 @@ void Foam::solidFields::update()
 
 void Foam::solidFields::writeState() const
 {
-    IOdictionary state
-    (
-        IOobject
-        (
-            stateName,
-            mesh_.time().timeName(),
-            "uniform",
-            mesh_,
-            IOobject::NO_READ,
-            IOobject::NO_WRITE,
-            false
-        )
-    );
-    state.add("nSteps", nSteps_);
-    state.add("duration", duration_);
-    state.regIOobject::write();
-    const_cast<solidFields&>(*this).savedSums().write(nSteps_);
+    const_cast<solidFields&>(*this)
+        .savedSums().write(stateName, nSteps_, duration_);
 }
