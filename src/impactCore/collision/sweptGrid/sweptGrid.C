@@ -244,8 +244,7 @@ void impact::sweptGrid::build()
 {
     makeLevels();
     const std::int32_t n = std::int32_t(boxes_.size());
-    cellOf_.resize(n);
-    slotOf_.resize(n);
+    where_.resize(n);
     slots_.resize(n);
     nextMoved_.resize(n);
     anyMoved_ = false;
@@ -253,8 +252,8 @@ void impact::sweptGrid::build()
     for (std::int32_t i = 0; i < n; ++i)
     {
         const level* l = levelFor(boxes_[i].extent());
-        cellOf_[i] = cell(*l, boxes_[i]);
-        ++cellStart_[cellOf_[i] + 1];
+        where_[i] = cell(*l, boxes_[i]);
+        ++cellStart_[where_[i] + 1];
     }
     for (std::size_t c = 1; c < cellStart_.size(); ++c)
     {
@@ -264,9 +263,9 @@ void impact::sweptGrid::build()
     // Filling moves the starts to the next cells' starts: shift them back
     for (std::int32_t i = 0; i < n; ++i)
     {
-        const std::int32_t s = cellStart_[cellOf_[i]]++;
-        slots_[s] = {boxes_[i], i};
-        slotOf_[i] = s;
+        const std::int32_t s = cellStart_[where_[i]]++;
+        slots_[s] = i;
+        where_[i] = s;
     }
     for (std::size_t c = cellStart_.size() - 1; c > 0; --c)
     {
@@ -278,24 +277,21 @@ void impact::sweptGrid::build()
 
 void impact::sweptGrid::unlink(std::int32_t i)
 {
-    if (slotOf_[i] >= 0)
+    const std::int32_t at = where_[i];
+    if (at >= 0)
     {
-        // No box overlaps this one
-        sweptBox& box = slots_[slotOf_[i]].box;
-        box.low[0] = std::numeric_limits<double>::infinity();
-        box.high[0] = -box.low[0];
-        slotOf_[i] = -1;
+        slots_[at] = ~i;
     }
-    else if (cellOf_[i] >= 0)
+    else if (at < -1)
     {
-        std::int32_t* link = &movedIn_[cellOf_[i]];
+        std::int32_t* link = &movedIn_[movedTo(at)];
         while (*link != i)
         {
             link = &nextMoved_[*link];
         }
         *link = nextMoved_[i];
     }
-    cellOf_[i] = -1;
+    where_[i] = -1;
 }
 
 
@@ -312,7 +308,7 @@ void impact::sweptGrid::move(std::int32_t i, const sweptBox& box)
     const level* l = levelFor(extent);
     const std::int32_t c =
         l ? cell(*l, box) : std::int32_t(movedIn_.size()) - 1;
-    cellOf_[i] = c;
+    where_[i] = movedTo(c);
     nextMoved_[i] = movedIn_[c];
     movedIn_[c] = i;
     anyMoved_ = true;
@@ -322,8 +318,7 @@ void impact::sweptGrid::move(std::int32_t i, const sweptBox& box)
 void impact::sweptGrid::add(const sweptBox& box)
 {
     boxes_.push_back(box);
-    cellOf_.push_back(-1);
-    slotOf_.push_back(-1);
+    where_.push_back(-1);
     nextMoved_.push_back(-1);
     move(std::int32_t(boxes_.size()) - 1, box);
 }
