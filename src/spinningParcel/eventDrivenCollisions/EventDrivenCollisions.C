@@ -185,34 +185,6 @@ void Foam::EventDrivenCollisions<CloudType>::checkNumber
 }
 
 
-template<class CloudType>
-void Foam::EventDrivenCollisions<CloudType>::collect()
-{
-    flights_.clear();
-    grow(flights_, cloud_.size());
-    label n = 0;
-    for (parcelType& p : cloud_)
-    {
-        const bool injected = n++ >= nParcels_;
-        p.stepFraction() = 0;
-        foamCompat::forgetTrack(p);
-        if (p.active())
-        {
-            checkNumber(p);
-            flights_.emplace_back(p);
-            flight& f = flights_.back();
-            f.injected = injected;
-            f.x = p.position();
-            f.placed = true;
-        }
-        else if (!p.move(cloud_, *td_, deltaT_))
-        {
-            cloud_.deleteParticle(p);
-        }
-    }
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 template<class CloudType>
@@ -281,6 +253,7 @@ Foam::EventDrivenCollisions<CloudType>::EventDrivenCollisions
     ),
     step_(domain(dict, cloud.mesh()), duration_, maxEvents),
     planned_(cloud),
+    inBlocks_(false),
     together_(true),
     reach_(0),
     bounds_(cloud.mesh().bounds()),

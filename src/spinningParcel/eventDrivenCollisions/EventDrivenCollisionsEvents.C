@@ -17,8 +17,8 @@ void Foam::EventDrivenCollisions<CloudType>::collide
     const double t
 )
 {
-    trajectory& a = trajectories_[i];
-    trajectory& b = trajectories_[j];
+    trajectory& a = at(i);
+    trajectory& b = at(j);
     const double pull = a.pull + b.pull;
     bool resting = false;
     const auto arrival = [&](trajectory& c)
@@ -115,7 +115,7 @@ bool Foam::EventDrivenCollisions<CloudType>::hitWall
     const double t
 )
 {
-    trajectory& c = trajectories_[i];
+    trajectory& c = at(i);
     if (c.resting)
     {
         mission m(END_REST, t);

@@ -12,15 +12,16 @@
 template<class CloudType>
 impact::sweptBox Foam::EventDrivenCollisions<CloudType>::boxOf
 (
-    const trajectory& c
+    const Path& path,
+    const scalar r
 ) const
 {
     impact::sweptBox box;
     for (int k = 0; k < 3; ++k)
     {
-        c.path.range(k, 0, deltaT_, box.low[k], box.high[k]);
-        box.low[k] -= c.radius;
-        box.high[k] += c.radius;
+        path.range(k, 0, deltaT_, box.low[k], box.high[k]);
+        box.low[k] -= r;
+        box.high[k] += r;
     }
     return box;
 }
@@ -124,77 +125,6 @@ void Foam::EventDrivenCollisions<CloudType>::gather(std::vector<Item>& items)
 
 
 template<class CloudType>
-void Foam::EventDrivenCollisions<CloudType>::moveInBlocks()
-{
-    std::size_t i = 0;
-    cloud_.moveInBlocks
-    (
-        *td_,
-        [&]() -> parcelType*
-        {
-            while (i < flights_.size())
-            {
-                flight& f = flights_[i++];
-                if (f.parcel)
-                {
-                    f.start = typename plannedCloud::state(*f.parcel);
-                    return f.parcel;
-                }
-            }
-            return nullptr;
-        },
-        [](parcelType*){}
-    );
-}
-
-
-template<class CloudType>
-void Foam::EventDrivenCollisions<CloudType>::planAll()
-{
-    const label rank = Pstream::myProcNo();
-    const bool inBlocks = !planned_.watched() && cloud_.movesInBlocks();
-    if (inBlocks)
-    {
-        moveInBlocks();
-    }
-    trajectories_.clear();
-    grow(trajectories_, flights_.size());
-    for (std::size_t i = 0; i < flights_.size(); ++i)
-    {
-        flight& f = flights_[i];
-        if (!f.parcel)
-        {
-            continue;
-        }
-        mission m(PLAN, 0);
-        trajectory c;
-        if (inBlocks)
-        {
-            beginPlan(f, m);
-        }
-        c.handedOn = !plan(f, m);
-        c.identity = identityOf(*f.parcel);
-        c.radius = 0.5*f.parcel->d();
-        c.firstHit = -GREAT;
-        c.hits = 0;
-        c.events = 0;
-        c.held = false;
-        c.shared = false;
-        c.gone = false;
-        c.pull = 0;
-        c.home = {rank, label(i)};
-        adoptPlan(c, m);
-        trajectories_.push_back(c);
-    }
-    if (Pstream::parRun())
-    {
-        handOn();
-        makeHalo();
-    }
-}
-
-
-template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::write
 (
     post& out,
@@ -259,7 +189,7 @@ void Foam::EventDrivenCollisions<CloudType>::read(const request& n, post& out)
             return;
 
         case PASS:
-            adoptPlan(trajectories_[n.slot], n.m);
+            adoptPlan(at(n.slot), n.m);
             return;
 
         default:                    // COMMIT
@@ -302,18 +232,18 @@ template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::handOn()
 {
     post out(Pstream::nProcs());
-    for (std::size_t i = 0; i < trajectories_.size(); ++i)
+    for (std::size_t i = 0; i < courses_.size(); ++i)
     {
-        const trajectory& c = trajectories_[i];
-        if (c.handedOn)
+        const trajectory* c = known(i);
+        if (c && c->handedOn)
         {
             mission m(PLAN, 0);
             m.begun = true;
-            m.path = c.path;
+            m.path = c->path;
             m.end = deltaT_;
             passOn
             (
-                flights_[c.home.slot], c.home.slot,
+                flights_[c->home.slot], c->home.slot,
                 {Pstream::myProcNo(), label(i)}, m, out
             );
         }
@@ -325,13 +255,15 @@ void Foam::EventDrivenCollisions<CloudType>::handOn()
 template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::makeHalo()
 {
-    std::vector<impact::sweptBox> boxes;
-    boxes.reserve(trajectories_.size());
-    reach_ = 0;
-    for (const trajectory& c : trajectories_)
+    const auto box = [&](const std::int32_t i)
     {
-        boxes.push_back(boxOf(c));
-        reach_ = max(reach_, boxes.back().extent());
+        return boxOf(path(i), radius(i));
+    };
+    const std::int32_t own = courses_.size();
+    reach_ = 0;
+    for (std::int32_t i = 0; i < own; ++i)
+    {
+        reach_ = max(reach_, box(i).extent());
     }
     reduce(reach_, maxOp<scalar>());
     territories_->setReach(reach_);
@@ -340,37 +272,35 @@ void Foam::EventDrivenCollisions<CloudType>::makeHalo()
     news_.clear();
     stopped_.clear();
     post out(Pstream::nProcs());
-    for (std::size_t i = 0; i < trajectories_.size(); ++i)
+    for (std::int32_t i = 0; i < own; ++i)
     {
-        trajectory& c = trajectories_[i];
-        c.shared = meetsOthers(boxes[i]);
-        if (!c.shared)
+        const impact::sweptBox b(box(i));
+        if (!meetsOthers(b))
         {
             continue;
         }
+        trajectory& c = at(i);
+        c.shared = true;
         sharedAt_[c.identity] = i;
         for (label rank = 0; rank < Pstream::nProcs(); ++rank)
         {
-            if
-            (
-                rank != Pstream::myProcNo()
-             && territories_->near(rank, boxes[i])
-            )
+            if (rank != Pstream::myProcNo() && territories_->near(rank, b))
             {
                 append(out[rank], c);
             }
         }
     }
-    work_[0] = trajectories_.size();
+    std::vector<trajectory> halo;
     for (const std::string& bytes : exchange(out))
     {
-        take(bytes, trajectories_);
+        take(bytes, halo);
     }
-    work_[1] = trajectories_.size() - work_[0];
-    for (std::size_t i = work_[0]; i < trajectories_.size(); ++i)
+    for (const trajectory& c : halo)
     {
-        sharedAt_[trajectories_[i].identity] = i;
+        sharedAt_[c.identity] = addOther(c);
     }
+    work_[0] = own;
+    work_[1] = halo.size();
 }
 
 

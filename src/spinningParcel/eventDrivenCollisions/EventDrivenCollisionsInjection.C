@@ -19,21 +19,19 @@ Foam::EventDrivenCollisions<CloudType>::injectedUpon(const vicinity& ofNew)
     const bool all = periodic[0] || periodic[1] || periodic[2];
     std::vector<member> members;
     post out(Pstream::nProcs());
-    for (std::size_t i = 0; i < flights_.size(); ++i)
+    for (std::size_t i = 0; i < courses_.size(); ++i)
     {
-        const flight& f = flights_[i];
-        if (!f.parcel)
-        {
-            continue;
-        }
-        const parcelType& p = *f.parcel;
-        const point x = f.placed ? f.x : p.position();
-        if (!f.injected && !all && !ofNew.near(x))
+        const course& q = courses_[i];
+        const parcelType& p = *q.parcel;
+        const point x = p.position();
+        if (!q.injected && !all && !ofNew.near(x))
         {
             continue;
         }
         members.push_back
-            ({identityOf(p), x, p.d(), p.mass(), {me, label(i)}, f.injected});
+        ({
+            identityOf(p), x, p.d(), p.mass(), {me, ~label(i)}, q.injected
+        });
         const impact::sweptBox box = members.back().box();
         if (territories_.valid() && territories_->foreign(box))
         {
@@ -176,10 +174,10 @@ void Foam::EventDrivenCollisions<CloudType>::admitInjected()
 {
     scalar largest = 0;
     bool any = false;
-    for (const flight& f : flights_)
+    for (const course& q : courses_)
     {
-        largest = max(largest, f.parcel->d());
-        any = any || f.injected;
+        largest = max(largest, q.parcel->d());
+        any = any || q.injected;
     }
     reduce(any, orOp<bool>());
     if (!any)
@@ -194,11 +192,11 @@ void Foam::EventDrivenCollisions<CloudType>::admitInjected()
 
     // Others matter near new parcels only, or at the ends of a period
     vicinity ofNew(bounds_, directions_);
-    for (const flight& f : flights_)
+    for (const course& q : courses_)
     {
-        if (f.injected)
+        if (q.injected)
         {
-            ofNew.add(f.x, 2*largest);
+            ofNew.add(q.parcel->position(), 2*largest);
         }
     }
     ofNew.reduce();
@@ -222,6 +220,7 @@ void Foam::EventDrivenCollisions<CloudType>::admitInjected()
         {
             serve(Pstream::masterNo());
         }
+        regroup();
         Pstream::scatter(nOverlaps);
         if (nOverlaps == 0)
         {

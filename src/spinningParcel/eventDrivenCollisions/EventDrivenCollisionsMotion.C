@@ -46,11 +46,14 @@ void Foam::EventDrivenCollisions<CloudType>::beginPlan(flight& f, mission& m)
     m.resting = false;
     m.boundary = false;
     m.end = deltaT_;
-    m.path.x = toCore(solved(f.placed ? f.x : f.parcel->position()));
+    const auto& from = f.start.where.where;
+    m.path.x = toCore
+    (
+        solved(from.cell >= 0 ? fromCore(from.x) : f.parcel->position())
+    );
     m.path.v = toCore(solved(f.start.U));
     m.path.a = impact::vector3{0, 0, 0};
     m.path.start = m.t;
-    f.placed = false;
 }
 
 
@@ -91,18 +94,8 @@ void Foam::EventDrivenCollisions<CloudType>::endPlan(flight& f, mission& m)
     const parcelType& p = *f.parcel;
     m.end = p.stepFraction() < 1 ? p.stepFraction()*deltaT_ : deltaT_;
 
-    // Round-off of positions must not look like an acceleration
     const scalar h = m.end - m.path.start;
-    const point end = solved(p.position());
-    const vector bend = end - fromCore(m.path.x) - h*fromCore(m.path.v);
-    if
-    (
-        cmptMax(cmptMag(bend)) > 1e-14*cmptMax(cmptMag(end))
-     && h > 1e-9*deltaT_
-    )
-    {
-        m.path.a = toCore(2/sqr(h)*bend);
-    }
+    bend(m.path, solved(p.position()), h);
     if (h > 1e-9*deltaT_)
     {
         // The bend of a short way is the error of its ends
@@ -304,7 +297,6 @@ bool Foam::EventDrivenCollisions<CloudType>::displace(flight& f, mission& m)
             return false;
         }
         p.face() = -1;
-        f.placed = false;
     }
     m.way = p.position();
     return true;

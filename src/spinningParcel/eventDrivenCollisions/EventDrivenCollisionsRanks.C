@@ -170,7 +170,7 @@ Foam::EventDrivenCollisions<CloudType>::answer(const request& r)
         unpack(r);
         out.slot = label(flights_.size()) - 1;
     }
-    flight& f = flights_[out.slot];
+    flight& f = flightAt(out.slot);
     bool done = true;
     bool take = false;
     switch (r.kind)
@@ -363,7 +363,7 @@ void Foam::EventDrivenCollisions<CloudType>::follow
         // Until then its path is the straight one
         m = out.m;
         m.end = deltaT_;
-        stopped_.emplace(std::int32_t(&c - trajectories_.data()), out.m);
+        stopped_.emplace(c.identity, out.m);
         return;
     }
     leg last = c.home;
@@ -467,12 +467,13 @@ Foam::EventDrivenCollisions<CloudType>::commitLegs(trajectory& c, bool& keep)
 template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::watch(const std::int32_t i)
 {
-    trajectory& c = trajectories_[i];
+    trajectory& c = at(i);
     if (!Pstream::parRun() || c.shared)
     {
         return;
     }
-    c.shared = stopped_.count(i) || meetsOthers(boxOf(c));
+    c.shared =
+        stopped_.count(c.identity) || meetsOthers(boxOf(c.path, c.radius));
     if (c.shared)
     {
         sharedAt_[c.identity] = i;
@@ -495,9 +496,9 @@ Foam::EventDrivenCollisions<CloudType>::callOf
     c[6] = Pstream::myProcNo();
     const auto name = [&](const label at, const std::int32_t i)
     {
-        const std::uint64_t identity = trajectories_[i].identity;
-        c[at] = scalar(identity >> 32);
-        c[at + 1] = scalar(std::uint32_t(identity));
+        const std::uint64_t name = identity(i);
+        c[at] = scalar(name >> 32);
+        c[at + 1] = scalar(std::uint32_t(name));
     };
     name(1, e.first);
     if (e.second >= 0)
@@ -517,7 +518,7 @@ Foam::EventDrivenCollisions<CloudType>::agree()
     if (!news_.empty())
     {
         const std::int32_t i = news_[0];
-        mine = callOf({trajectories_[i].path.start, i, -1, 0, 0, 0});
+        mine = callOf({path(i).start, i, -1, 0, 0, 0});
     }
     else
     {
@@ -599,13 +600,14 @@ void Foam::EventDrivenCollisions<CloudType>::lead()
         changed.swap(news_);
         for (const std::int32_t i : changed)
         {
-            const auto stopped = stopped_.find(i);
+            trajectory& c = at(i);
+            const auto stopped = stopped_.find(c.identity);
             if (stopped != stopped_.end())
             {
                 mission m = stopped->second;
                 stopped_.erase(stopped);
-                resume(trajectories_[i], m);
-                step_.change(*this, trajectories_[i].path.start, i, -1);
+                resume(c, m);
+                step_.change(*this, c.path.start, i, -1);
             }
         }
     }
@@ -621,7 +623,7 @@ void Foam::EventDrivenCollisions<CloudType>::lead()
     buffer_.clear();
     for (const std::int32_t i : changed)
     {
-        append(buffer_, trajectories_[i]);
+        append(buffer_, at(i));
     }
     dismiss();
 }
@@ -636,12 +638,12 @@ void Foam::EventDrivenCollisions<CloudType>::takeOver(const scalar t)
     for (trajectory& c : changed)
     {
         const bool own = c.home.rank == Pstream::myProcNo();
-        const auto known = sharedAt_.find(c.identity);
-        if (known != sharedAt_.end())
+        const auto there = sharedAt_.find(c.identity);
+        if (there != sharedAt_.end())
         {
-            const std::int32_t i = known->second;
-            trajectories_[i] = c;
-            trajectories_[i].shared = true;
+            const std::int32_t i = there->second;
+            at(i) = c;
+            at(i).shared = true;
             if (c.gone)
             {
                 step_.remove(i);
@@ -651,11 +653,14 @@ void Foam::EventDrivenCollisions<CloudType>::takeOver(const scalar t)
                 here.push_back(i);
             }
         }
-        else if (!c.gone && (own || (c.shared && mayMeet(boxOf(c)))))
+        else if
+        (
+            !c.gone
+         && (own || (c.shared && mayMeet(boxOf(c.path, c.radius))))
+        )
         {
-            const std::int32_t i = trajectories_.size();
-            trajectories_.push_back(c);
-            trajectories_[i].shared = true;
+            const std::int32_t i = addOther(c);
+            at(i).shared = true;
             sharedAt_[c.identity] = i;
             step_.add(*this);
             here.push_back(i);

@@ -1,0 +1,254 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "EventDrivenCollisions.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class CloudType>
+void Foam::EventDrivenCollisions<CloudType>::collect()
+{
+    courses_.clear();
+    flights_.clear();
+    trajectories_.clear();
+    grow(courses_, cloud_.size());
+    label n = 0;
+    for (parcelType& p : cloud_)
+    {
+        const bool injected = n++ >= nParcels_;
+        p.stepFraction() = 0;
+        foamCompat::forgetTrack(p);
+        if (p.active())
+        {
+            checkNumber(p);
+            courses_.emplace_back(&p, injected);
+        }
+        else if (!p.move(cloud_, *td_, deltaT_))
+        {
+            cloud_.deleteParticle(p);
+        }
+    }
+}
+
+
+template<class CloudType>
+void Foam::EventDrivenCollisions<CloudType>::regroup()
+{
+    for (course& q : courses_)
+    {
+        if (q.flight >= 0)
+        {
+            q.parcel = flights_[q.flight].parcel;
+            flights_[q.flight].parcel = nullptr;
+            q.flight = -1;
+        }
+    }
+    for (const flight& f : flights_)
+    {
+        if (f.parcel)
+        {
+            courses_.emplace_back(f.parcel, f.injected);
+        }
+    }
+    flights_.clear();
+    courses_.erase
+    (
+        std::remove_if
+        (
+            courses_.begin(), courses_.end(),
+            [](const course& q) { return !q.parcel; }
+        ),
+        courses_.end()
+    );
+}
+
+
+template<class CloudType>
+void Foam::EventDrivenCollisions<CloudType>::moveInBlocks()
+{
+    std::size_t i = 0;
+    const bool spin = law_.spin();
+    if (spin)
+    {
+        grow(spins_, courses_.size());
+        spins_.resize(courses_.size());
+    }
+    cloud_.moveInBlocks
+    (
+        *td_,
+        [&]() -> parcelType*
+        {
+            if (i == courses_.size())
+            {
+                return nullptr;
+            }
+            course& q = courses_[i];
+            parcelType& p = *q.parcel;
+            p.fly(cloud_.cells());
+            q.x = p.inFlight().x;
+            q.cell = p.inFlight().cell;
+            q.U = p.U();
+            q.age = p.age();
+            if (spin)
+            {
+                spins_[i] = p.omega();
+            }
+            ++i;
+            return &p;
+        },
+        [](parcelType*){}
+    );
+}
+
+
+template<class CloudType>
+void Foam::EventDrivenCollisions<CloudType>::planAll()
+{
+    inBlocks_ = !planned_.watched() && cloud_.movesInBlocks();
+    if (inBlocks_)
+    {
+        moveInBlocks();
+    }
+    for (std::size_t i = 0; i < courses_.size(); ++i)
+    {
+        if (!inBlocks_ || courses_[i].parcel->stepFraction() < 1)
+        {
+            at(i);
+        }
+    }
+    if (Pstream::parRun())
+    {
+        handOn();
+        makeHalo();
+    }
+}
+
+
+template<class CloudType>
+void Foam::EventDrivenCollisions<CloudType>::bend
+(
+    Path& path,
+    const vector& end,
+    const scalar h
+) const
+{
+    // Round-off of positions must not look like an acceleration
+    const vector way = end - fromCore(path.x) - h*fromCore(path.v);
+    if
+    (
+        cmptMax(cmptMag(way)) > 1e-14*cmptMax(cmptMag(end))
+     && h > 1e-9*deltaT_
+    )
+    {
+        path.a = toCore(2/sqr(h)*way);
+    }
+}
+
+
+template<class CloudType>
+typename Foam::EventDrivenCollisions<CloudType>::Path
+Foam::EventDrivenCollisions<CloudType>::pathOf(const course& q) const
+{
+    Path path;
+    path.x = toCore(solved(fromCore(q.x)));
+    path.v = toCore(solved(q.U));
+    path.a = impact::vector3{0, 0, 0};
+    path.start = 0;
+    bend(path, solved(q.parcel->position()), deltaT_);
+    return path;
+}
+
+
+template<class CloudType>
+typename Foam::EventDrivenCollisions<CloudType>::plannedCloud::state
+Foam::EventDrivenCollisions<CloudType>::startOf(const std::int32_t i) const
+{
+    const course& q = courses_[i];
+    typename plannedCloud::state start(*q.parcel);
+    start.U = q.U;
+    start.age = q.age;
+    if (law_.spin())
+    {
+        start.omega = spins_[i];
+    }
+    auto& where = start.where;
+    where.stepFraction = 0;
+    where.where = typename parcelType::flight();
+    where.where.x = q.x;
+    where.where.cell = q.cell;
+    const label celli = cloud_.cells().meshCell(q.cell);
+    if (where.cell != celli)
+    {
+        where.cell = celli;
+        where.tetFace = cloud_.mesh().cells()[celli][0];
+        where.tetPt = 1;
+    }
+    return start;
+}
+
+
+template<class CloudType>
+std::int32_t Foam::EventDrivenCollisions<CloudType>::flightOf
+(
+    const std::int32_t i
+)
+{
+    course& q = courses_[i];
+    if (q.flight < 0)
+    {
+        q.flight = flights_.size();
+        flights_.emplace_back(*q.parcel);
+        flights_.back().injected = q.injected;
+    }
+    return q.flight;
+}
+
+
+template<class CloudType>
+typename Foam::EventDrivenCollisions<CloudType>::trajectory&
+Foam::EventDrivenCollisions<CloudType>::at(const std::int32_t i)
+{
+    course& q = courses_[i];
+    if (q.trajectory >= 0)
+    {
+        return trajectories_[q.trajectory];
+    }
+    const std::int32_t slot = flightOf(i);
+    flight& f = flights_[slot];
+    mission m(PLAN, 0);
+    if (inBlocks_)
+    {
+        f.start = startOf(i);
+        beginPlan(f, m);
+    }
+    trajectory c;
+    c.handedOn = !plan(f, m);
+    c.identity = identityOf(*f.parcel);
+    c.radius = 0.5*f.parcel->d();
+    c.firstHit = -GREAT;
+    c.hits = 0;
+    c.events = 0;
+    c.held = false;
+    c.shared = false;
+    c.gone = false;
+    c.pull = 0;
+    c.home = {Pstream::myProcNo(), slot};
+    adoptPlan(c, m);
+    q.trajectory = trajectories_.size();
+    trajectories_.push_back(c);
+    return trajectories_.back();
+}
+
+
+template<class CloudType>
+std::int32_t Foam::EventDrivenCollisions<CloudType>::addOther
+(
+    const trajectory& c
+)
+{
+    courses_.emplace_back(nullptr, false);
+    courses_.back().trajectory = trajectories_.size();
+    trajectories_.push_back(c);
+    return std::int32_t(courses_.size()) - 1;
+}
