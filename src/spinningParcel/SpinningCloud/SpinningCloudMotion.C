@@ -309,16 +309,24 @@ void Foam::SpinningCloud<CloudType>::writeFields() const
     // Coordinates round off where a parcel is: with these a run that goes on
     // from here is the same to the last bit
     const label n = this->size();
-    IOField<vector> x(this->fieldIOobject(exactPosition, IOobject::NO_READ), n);
+    {
+        IOField<vector> x
+        (
+            this->fieldIOobject(exactPosition, IOobject::NO_READ), n
+        );
+        label i = 0;
+        for (const parcelType& p : *this)
+        {
+            x[i++] = p.position();
+        }
+        x.write(n > 0);
+    }
     IOField<label> cell(this->fieldIOobject(convexCell, IOobject::NO_READ), n);
     label i = 0;
     for (const parcelType& p : *this)
     {
-        x[i] = p.position();
-        cell[i] = p.inFlight().cell;
-        ++i;
+        cell[i++] = p.inFlight().cell;
     }
-    x.write(n > 0);
     cell.write(n > 0);
 }
 

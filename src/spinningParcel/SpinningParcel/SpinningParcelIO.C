@@ -6,6 +6,9 @@
 #include "IOField.H"
 #include "IOstreams.H"
 
+#include <type_traits>
+#include <utility>
+
 template<class ParcelType>
 Foam::string Foam::SpinningParcel<ParcelType>::propertyList_ =
     Foam::SpinningParcel<ParcelType>::propertyList();
@@ -102,34 +105,40 @@ template<class ParcelType>
 template<class CloudType>
 void Foam::SpinningParcel<ParcelType>::writeFields(const CloudType& c)
 {
-    ParcelType::writeFields(c);
-
-    const label n = c.size();
-    IOField<vector> omega(c.fieldIOobject("omega", IOobject::NO_READ), n);
-    IOField<label> nImpacts
-    (
-        c.fieldIOobject("nImpacts", IOobject::NO_READ),
-        n
-    );
-    label i = 0;
-    for (const SpinningParcel<ParcelType>& p : c)
+    // Those of the kinematic parcel one by one, too: its own function has
+    // all of them in the memory at the same time
+    particle::writeFields(c);
+    typedef SpinningParcel<ParcelType> parcel;
+    const auto write = [&](const auto& name, const auto& value)
     {
-        omega[i] = p.omega_;
-        nImpacts[i] = p.nImpacts_;
-        i++;
-    }
-    omega.write(n > 0);
-    nImpacts.write(n > 0);
-
+        typedef std::decay_t<decltype(value(std::declval<const parcel&>()))>
+            Type;
+        IOField<Type> field
+        (
+            c.fieldIOobject(name, IOobject::NO_READ), c.size()
+        );
+        label i = 0;
+        for (const parcel& p : c)
+        {
+            field[i++] = value(p);
+        }
+        field.write(c.size() > 0);
+    };
+    write("active", [](const parcel& p) { return label(p.active()); });
+    write("typeId", [](const parcel& p) { return p.typeId(); });
+    write("nParticle", [](const parcel& p) { return p.nParticle(); });
+    write("d", [](const parcel& p) { return p.d(); });
+    write("dTarget", [](const parcel& p) { return p.dTarget(); });
+    write("U", [](const parcel& p) { return p.U(); });
+    write("rho", [](const parcel& p) { return p.rho(); });
+    write("age", [](const parcel& p) { return p.age(); });
+    write("tTurb", [](const parcel& p) { return p.tTurb(); });
+    write("UTurb", [](const parcel& p) { return p.UTurb(); });
+    write("omega", [](const parcel& p) { return p.omega(); });
+    write("nImpacts", [](const parcel& p) { return p.nImpacts(); });
     if (hasTemperatures(c))
     {
-        IOField<scalar> T(c.fieldIOobject("T", IOobject::NO_READ), n);
-        i = 0;
-        for (const SpinningParcel<ParcelType>& p : c)
-        {
-            T[i++] = p.T_;
-        }
-        T.write(n > 0);
+        write("T", [](const parcel& p) { return p.temperature(); });
     }
 }
 

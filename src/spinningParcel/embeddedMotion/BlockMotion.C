@@ -4,6 +4,7 @@
 
 #include "BlockMotion.H"
 #include "curvedPath.H"
+#include "fetchAhead.H"
 #include "meshTools.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -44,9 +45,10 @@ void Foam::BlockMotion<CloudType, Force>::release(const int i)
     auto& flight = p.inFlight();
     flight.x = impact::motionBlock::of(block_.now.x, i);
     flight.cell = cell_[i];
-    flight.begun = f.begin < 1 ? f.begin : 0;
-    flight.nForces = f.begin < 1 ? f.nForces : 0;
-    flight.hTry = f.begin < 1 ? block_.hTry[i] : GREAT;
+    if (f.begin < 1)
+    {
+        cloud_.leaveBegun(p, {f.begin, block_.hTry[i], f.nForces});
+    }
     p.stepFraction() = f.begin;
     if (f.place >= 0)
     {
@@ -311,22 +313,13 @@ void Foam::BlockMotion<CloudType, Force>::move
 )
 {
     parcelType* p = next();
-    const char* before = nullptr;
+    fetchAhead fetch;
     int n = 0;
     while (true)
     {
         for (; n < size && p; p = next())
         {
-            // The walk through the list waits for the memory of each parcel.
-            // Parcels that were injected together mostly lie one behind the
-            // other: have those ready that come next if it is so.
-            const char* here = reinterpret_cast<const char*>(p);
-            const char* ahead = here + 8*(here - before);
-            before = here;
-            for (std::size_t line = 0; line < sizeof(parcelType); line += 64)
-            {
-                __builtin_prefetch(ahead + line, 1);
-            }
+            fetch(p, sizeof(parcelType));
             if (p->active())
             {
                 take(n++, *p);

@@ -293,18 +293,20 @@ Foam::ParcelMotion<CloudType, Force>::ParcelMotion
     watched_(cloud.watched()),
     x_{0, 0, 0},
     cell_(-1),
-    left_(stepToFace::maxForces - p.inFlight().nForces),
+    left_(stepToFace::maxForces),
     stalls_(0),
     hits_(0),
-    hTry_(p.inFlight().hTry)
+    hTry_(GREAT)
 {
-    auto& flight = p.inFlight();
     p.locate(cells_, x_, cell_);
-    if (flight.begun > 0)
+    p.inFlight() = typename parcelType::flight();
+    const typename parcelType::begun before(cloud.takeBegun(p));
+    left_ -= before.nForces;
+    hTry_ = before.hTry;
+    if (before.share > 0)
     {
-        p.stepFraction() = flight.begun;
+        p.stepFraction() = before.share;
     }
-    flight = typename parcelType::flight();
 }
 
 

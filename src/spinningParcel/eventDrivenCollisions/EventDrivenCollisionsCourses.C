@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "EventDrivenCollisions.H"
+#include "fetchAhead.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -14,8 +15,10 @@ void Foam::EventDrivenCollisions<CloudType>::collect()
     trajectories_.clear();
     grow(courses_, cloud_.size());
     label n = 0;
+    fetchAhead fetch;
     for (parcelType& p : cloud_)
     {
+        fetch(&p, 192);
         const bool injected = n++ >= nParcels_;
         p.stepFraction() = 0;
         foamCompat::forgetTrack(p);
@@ -251,4 +254,29 @@ std::int32_t Foam::EventDrivenCollisions<CloudType>::addOther
     courses_.back().trajectory = trajectories_.size();
     trajectories_.push_back(c);
     return std::int32_t(courses_.size()) - 1;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+template<class CloudType>
+void Foam::EventDrivenCollisions<CloudType>::fetch
+(
+    const std::int32_t i,
+    const int stage
+) const
+{
+    const course& q = courses_[i];
+    if (stage == 0)
+    {
+        impact::fetch(&q, sizeof(course));
+    }
+    else if (q.parcel)
+    {
+        // What pathOf, identity and radius read
+        parcelType& p = *q.parcel;
+        impact::fetch(&p.inFlight(), sizeof(p.inFlight()));
+        impact::fetch(&p.origId(), sizeof(label));
+        impact::fetch(&p.d(), sizeof(scalar));
+    }
 }

@@ -6,6 +6,27 @@
 
 #include <limits>
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class CloudType>
+typename Foam::EventDrivenCollisions<CloudType>::mission
+Foam::EventDrivenCollisions<CloudType>::next
+(
+    trajectory& c,
+    const motionKind free,
+    const bool rests,
+    const scalar t,
+    const scalar pull
+)
+{
+    const bool often = ++c.events > maxFreeEvents;
+    mission m(often && rests ? HOLD : free, t);
+    m.free = free;
+    m.slow = c.events > maxRestEvents ? GREAT : atRest(pull);
+    return m;
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<class CloudType>

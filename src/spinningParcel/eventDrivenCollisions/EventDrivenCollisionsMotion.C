@@ -7,6 +7,34 @@
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<class CloudType>
+void Foam::EventDrivenCollisions<CloudType>::land(parcelType& p) const
+{
+    if (p.inFlight().cell >= 0)
+    {
+        p.cell() = -1;
+        p.land(cloud_.cells());
+    }
+}
+
+
+template<class CloudType>
+bool Foam::EventDrivenCollisions<CloudType>::atPass(const parcelType& p) const
+{
+    return passTo_.size() && p.onBoundaryFace() && passTo_[p.patch()] >= 0;
+}
+
+
+template<class CloudType>
+void Foam::EventDrivenCollisions<CloudType>::act(flight& f)
+{
+    f.keep =
+        planned_.replay(*f.parcel, f.firstRecord, f.lastRecord, *td_)
+     && f.keep;
+    f.lastRecord = f.firstRecord;
+}
+
+
+template<class CloudType>
 bool Foam::EventDrivenCollisions<CloudType>::proceed(flight& f, mission& m)
 {
     if (m.setU)
