@@ -184,6 +184,20 @@ bool Foam::IdentifiedInjection<CloudType>::prepareForNextTimeStep
 
 
 template<class CloudType>
+void Foam::IdentifiedInjection<CloudType>::postInjectCheck
+(
+    const label parcelsAdded,
+    const scalar massAdded
+)
+{
+    InjectionModel<CloudType>::postInjectCheck(parcelsAdded, massAdded);
+
+    // Those that fill the domain at the start are many
+    parcels_.clearStorage();
+}
+
+
+template<class CloudType>
 Foam::scalar Foam::IdentifiedInjection<CloudType>::setNumberOfParticles
 (
     const label parcels,

@@ -363,11 +363,13 @@ void Foam::SpinningCloud<CloudType>::readFlights()
             // Cells have other numbers on another decomposition
             const bool known =
                 celli < cells().size() && cells().meshCell(celli) == p.cell();
-            auto& flight = p.inFlight();
-            flight.x = toCore(x[i]);
-            flight.cell =
-                known && cells().height(celli, flight.x) < reach
-              ? celli : cells().locate(p.cell(), flight.x);
+            const impact::vector3 at(toCore(x[i]));
+            p.setFlight
+            ({
+                at,
+                known && cells().height(celli, at) < reach
+              ? celli : cells().locate(p.cell(), at)
+            });
         }
         ++i;
     }

@@ -45,8 +45,9 @@ Foam::SpinningParcel<ParcelType>::SpinningParcel
     ParcelType(p),
     omega_(p.omega_),
     T_(p.T_),
-    nImpacts_(p.nImpacts_),
-    flight_(p.flight_)
+    x_(p.x_),
+    convexCell_(p.convexCell_),
+    nImpacts_(p.nImpacts_)
 {}
 
 
@@ -60,8 +61,9 @@ Foam::SpinningParcel<ParcelType>::SpinningParcel
     ParcelType(p, mesh),
     omega_(p.omega_),
     T_(p.T_),
-    nImpacts_(p.nImpacts_),
-    flight_(p.flight_)
+    x_(p.x_),
+    convexCell_(p.convexCell_),
+    nImpacts_(p.nImpacts_)
 {}
 
 

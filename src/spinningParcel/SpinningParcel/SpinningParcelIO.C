@@ -26,6 +26,8 @@ Foam::SpinningParcel<ParcelType>::SpinningParcel
     ParcelType(mesh, is, readFields, newFormat),
     omega_(Zero),
     T_(0),
+    x_{0, 0, 0},
+    convexCell_(-1),
     nImpacts_(0)
 {
     if (readFields)

@@ -30,7 +30,7 @@ void Foam::SpinningParcel<ParcelType>::place::restore(SpinningParcel& p) const
     p.tetPt() = tetPt;
     p.face() = face;
     p.stepFraction() = stepFraction;
-    p.inFlight() = where;
+    p.setFlight(where);
     foamCompat::forgetTrack(p);
 }
 
@@ -45,10 +45,10 @@ void Foam::SpinningParcel<ParcelType>::locate
     label& celli
 ) const
 {
-    if (flight_.cell >= 0)
+    if (convexCell_ >= 0)
     {
-        x = flight_.x;
-        celli = flight_.cell;
+        x = x_;
+        celli = convexCell_;
         return;
     }
     const polyMesh& mesh = cells.mesh();
@@ -65,9 +65,9 @@ void Foam::SpinningParcel<ParcelType>::locate
 template<class ParcelType>
 void Foam::SpinningParcel<ParcelType>::settle(const convexCells& cells)
 {
-    if (flight_.cell >= 0)
+    if (convexCell_ >= 0)
     {
-        tetPlace::put(*this, cells, flight_.x, flight_.cell, -1);
+        tetPlace::put(*this, cells, x_, convexCell_, -1);
     }
 }
 

@@ -42,9 +42,7 @@ void Foam::BlockMotion<CloudType, Force>::release(const int i)
     parcelType& p = *f.parcel;
     p.U() = fromCore(impact::motionBlock::of(block_.now.v, i));
     p.omega() = fromCore(impact::motionBlock::of(block_.now.omega, i));
-    auto& flight = p.inFlight();
-    flight.x = impact::motionBlock::of(block_.now.x, i);
-    flight.cell = cell_[i];
+    p.setFlight({impact::motionBlock::of(block_.now.x, i), cell_[i]});
     if (f.begin < 1)
     {
         cloud_.leaveBegun(p, {f.begin, block_.hTry[i], f.nForces});

@@ -299,7 +299,7 @@ Foam::ParcelMotion<CloudType, Force>::ParcelMotion
     hTry_(GREAT)
 {
     p.locate(cells_, x_, cell_);
-    p.inFlight() = typename parcelType::flight();
+    p.setFlight({});
     const typename parcelType::begun before(cloud.takeBegun(p));
     left_ -= before.nForces;
     hTry_ = before.hTry;
@@ -378,8 +378,7 @@ bool Foam::ParcelMotion<CloudType, Force>::move()
 
     if (td_.keepParticle && !td_.switchProcessor && p_.stepFraction() >= 1)
     {
-        p_.inFlight().x = x_;
-        p_.inFlight().cell = cell_;
+        p_.setFlight({x_, cell_});
         if (watched_)
         {
             p_.land(cells_);

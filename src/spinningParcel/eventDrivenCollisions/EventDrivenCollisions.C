@@ -256,6 +256,8 @@ Foam::EventDrivenCollisions<CloudType>::EventDrivenCollisions
     inBlocks_(false),
     together_(true),
     reach_(0),
+    largest_(0),
+    anyNew_(false),
     bounds_(cloud.mesh().bounds()),
     directions_(vector::one),
     nParcels_(-1),

@@ -14,6 +14,8 @@ void Foam::EventDrivenCollisions<CloudType>::collect()
     flights_.clear();
     trajectories_.clear();
     grow(courses_, cloud_.size());
+    largest_ = 0;
+    anyNew_ = false;
     label n = 0;
     fetchAhead fetch;
     for (parcelType& p : cloud_)
@@ -25,6 +27,8 @@ void Foam::EventDrivenCollisions<CloudType>::collect()
         if (p.active())
         {
             checkNumber(p);
+            largest_ = max(largest_, p.d());
+            anyNew_ = anyNew_ || injected;
             courses_.emplace_back(&p, injected);
         }
         else if (!p.move(cloud_, *td_, deltaT_))
@@ -89,8 +93,9 @@ void Foam::EventDrivenCollisions<CloudType>::moveInBlocks()
             course& q = courses_[i];
             parcelType& p = *q.parcel;
             p.fly(cloud_.cells());
-            q.x = p.inFlight().x;
-            q.cell = p.inFlight().cell;
+            const typename parcelType::flight here(p.inFlight());
+            q.x = here.x;
+            q.cell = here.cell;
             q.U = p.U();
             q.age = p.age();
             if (spin)
@@ -209,6 +214,14 @@ std::int32_t Foam::EventDrivenCollisions<CloudType>::flightOf
 
 
 template<class CloudType>
+typename Foam::EventDrivenCollisions<CloudType>::flight&
+Foam::EventDrivenCollisions<CloudType>::flightAt(const label slot)
+{
+    return flights_[slot >= 0 ? slot : flightOf(~slot)];
+}
+
+
+template<class CloudType>
 typename Foam::EventDrivenCollisions<CloudType>::trajectory&
 Foam::EventDrivenCollisions<CloudType>::at(const std::int32_t i)
 {
@@ -260,23 +273,17 @@ std::int32_t Foam::EventDrivenCollisions<CloudType>::addOther
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<class CloudType>
-void Foam::EventDrivenCollisions<CloudType>::fetch
+double Foam::EventDrivenCollisions<CloudType>::wallTime
 (
     const std::int32_t i,
-    const int stage
+    double,
+    double
 ) const
 {
-    const course& q = courses_[i];
-    if (stage == 0)
-    {
-        impact::fetch(&q, sizeof(course));
-    }
-    else if (q.parcel)
-    {
-        // What pathOf, identity and radius read
-        parcelType& p = *q.parcel;
-        impact::fetch(&p.inFlight(), sizeof(p.inFlight()));
-        impact::fetch(&p.origId(), sizeof(label));
-        impact::fetch(&p.d(), sizeof(scalar));
-    }
+    const trajectory* c = known(i);
+    return
+        c
+     && c->home.rank == Pstream::myProcNo()
+     && (c->boundary || c->resting)
+      ? c->end : impact::never;
 }

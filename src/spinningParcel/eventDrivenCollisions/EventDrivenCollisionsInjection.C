@@ -11,35 +11,50 @@
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<class CloudType>
+typename Foam::EventDrivenCollisions<CloudType>::member
+Foam::EventDrivenCollisions<CloudType>::memberOf(const std::int32_t i) const
+{
+    const course& q = courses_[i];
+    const parcelType& p = *q.parcel;
+    return
+    {
+        identityOf(p), p.position(), p.d(), p.mass(),
+        {Pstream::myProcNo(), ~label(i)}, q.injected
+    };
+}
+
+
+template<class CloudType>
 std::vector<typename Foam::EventDrivenCollisions<CloudType>::memberPair>
 Foam::EventDrivenCollisions<CloudType>::injectedUpon(const vicinity& ofNew)
 {
     const label me = Pstream::myProcNo();
     const bool* periodic = step_.grid().domain().periodic;
     const bool all = periodic[0] || periodic[1] || periodic[2];
-    std::vector<member> members;
+    std::vector<std::int32_t> own;
+    std::vector<member> others;
     post out(Pstream::nProcs());
     for (std::size_t i = 0; i < courses_.size(); ++i)
     {
         const course& q = courses_[i];
-        const parcelType& p = *q.parcel;
-        const point x = p.position();
-        if (!q.injected && !all && !ofNew.near(x))
+        if (!q.injected && !all && !ofNew.near(q.parcel->position()))
         {
             continue;
         }
-        members.push_back
-        ({
-            identityOf(p), x, p.d(), p.mass(), {me, ~label(i)}, q.injected
-        });
-        const impact::sweptBox box = members.back().box();
-        if (territories_.valid() && territories_->foreign(box))
+        own.push_back(i);
+        if (!territories_.valid())
+        {
+            continue;
+        }
+        const member here(memberOf(i));
+        const impact::sweptBox box(here.box());
+        if (territories_->foreign(box))
         {
             for (label rank = 0; rank < Pstream::nProcs(); ++rank)
             {
                 if (rank != me && territories_->near(rank, box))
                 {
-                    append(out[rank], members.back());
+                    append(out[rank], here);
                 }
             }
         }
@@ -48,15 +63,22 @@ Foam::EventDrivenCollisions<CloudType>::injectedUpon(const vicinity& ofNew)
     {
         for (const std::string& bytes : exchange(out))
         {
-            take(bytes, members);
+            take(bytes, others);
         }
     }
 
-    impact::sweptGrid grid(step_.grid().domain());
-    grid.resize(members.size());
-    for (std::size_t i = 0; i < members.size(); ++i)
+    // All may be new: nothing is kept of them
+    const std::int32_t nOwn = own.size();
+    const auto memberAt = [&](const std::int32_t k)
     {
-        grid.box(i) = members[i].box();
+        return k < nOwn ? memberOf(own[k]) : others[k - nOwn];
+    };
+    impact::sweptGrid grid(step_.grid().domain());
+    const std::int32_t nAll = nOwn + others.size();
+    grid.resize(nAll);
+    for (std::int32_t k = 0; k < nAll; ++k)
+    {
+        grid.box(k) = memberAt(k).box();
     }
     grid.build();
     std::vector<memberPair> pairs;
@@ -64,15 +86,14 @@ Foam::EventDrivenCollisions<CloudType>::injectedUpon(const vicinity& ofNew)
     (
         [&](std::int32_t i, std::int32_t j, std::int32_t image)
         {
-            if (members[j].identity < members[i].identity)
+            member a = memberAt(i), b = memberAt(j);
+            if (b.identity < a.identity)
             {
-                std::swap(i, j);
+                std::swap(a, b);
                 image = 2*impact::sweptGrid::noImage - image;
             }
 
             // The rank of the lower identity has the pair
-            const member& a = members[i];
-            const member& b = members[j];
             if ((a.injected || b.injected) && a.where.rank == me)
             {
                 pairs.push_back({a, b, image});
@@ -172,19 +193,11 @@ Foam::label Foam::EventDrivenCollisions<CloudType>::part
 template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::admitInjected()
 {
-    scalar largest = 0;
-    bool any = false;
-    for (const course& q : courses_)
-    {
-        largest = max(largest, q.parcel->d());
-        any = any || q.injected;
-    }
-    reduce(any, orOp<bool>());
-    if (!any)
+    if (!returnReduce(anyNew_, orOp<bool>()))
     {
         return;
     }
-    reduce(largest, maxOp<scalar>());
+    const scalar largest = returnReduce(largest_, maxOp<scalar>());
     if (territories_.valid())
     {
         territories_->setReach(largest, true);
