@@ -470,7 +470,7 @@ void Foam::SpinningCloud<CloudType>::motion
                 ++next;
                 return &p;
             },
-            [&](parcelType* p)
+            [&](parcelType* p, label)
             {
                 rest.append(this->remove(p));
             }

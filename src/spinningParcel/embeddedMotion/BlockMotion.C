@@ -312,14 +312,16 @@ void Foam::BlockMotion<CloudType, Force>::move
 {
     parcelType* p = next();
     fetchAhead fetch;
+    label number = 0;
     int n = 0;
     while (true)
     {
-        for (; n < size && p; p = next())
+        for (; n < size && p; p = next(), ++number)
         {
             fetch(p, sizeof(parcelType));
             if (p->active())
             {
+                flyers_[n].number = number;
                 take(n++, *p);
             }
             else
@@ -344,7 +346,7 @@ void Foam::BlockMotion<CloudType, Force>::move
             release(i);
             if (f.begin < 1)
             {
-                rest(f.parcel);
+                rest(f.parcel, f.number);
             }
             --n;
             if (i < n)

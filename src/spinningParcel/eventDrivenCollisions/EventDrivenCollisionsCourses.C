@@ -72,8 +72,10 @@ void Foam::EventDrivenCollisions<CloudType>::regroup()
 
 
 template<class CloudType>
-void Foam::EventDrivenCollisions<CloudType>::moveInBlocks()
+std::vector<std::int32_t>
+Foam::EventDrivenCollisions<CloudType>::moveInBlocks()
 {
+    std::vector<std::int32_t> rest;
     std::size_t i = 0;
     const bool spin = law_.spin();
     if (spin)
@@ -105,8 +107,9 @@ void Foam::EventDrivenCollisions<CloudType>::moveInBlocks()
             ++i;
             return &p;
         },
-        [](parcelType*){}
+        [&](parcelType*, const label k) { rest.push_back(k); }
     );
+    return rest;
 }
 
 
@@ -116,11 +119,14 @@ void Foam::EventDrivenCollisions<CloudType>::planAll()
     inBlocks_ = !planned_.watched() && cloud_.movesInBlocks();
     if (inBlocks_)
     {
-        moveInBlocks();
+        for (const std::int32_t i : moveInBlocks())
+        {
+            at(i);
+        }
     }
-    for (std::size_t i = 0; i < courses_.size(); ++i)
+    else
     {
-        if (!inBlocks_ || courses_[i].parcel->stepFraction() < 1)
+        for (std::size_t i = 0; i < courses_.size(); ++i)
         {
             at(i);
         }
@@ -130,41 +136,6 @@ void Foam::EventDrivenCollisions<CloudType>::planAll()
         handOn();
         makeHalo();
     }
-}
-
-
-template<class CloudType>
-void Foam::EventDrivenCollisions<CloudType>::bend
-(
-    Path& path,
-    const vector& end,
-    const scalar h
-) const
-{
-    // Round-off of positions must not look like an acceleration
-    const vector way = end - fromCore(path.x) - h*fromCore(path.v);
-    if
-    (
-        cmptMax(cmptMag(way)) > 1e-14*cmptMax(cmptMag(end))
-     && h > 1e-9*deltaT_
-    )
-    {
-        path.a = toCore(2/sqr(h)*way);
-    }
-}
-
-
-template<class CloudType>
-typename Foam::EventDrivenCollisions<CloudType>::Path
-Foam::EventDrivenCollisions<CloudType>::pathOf(const course& q) const
-{
-    Path path;
-    path.x = toCore(solved(fromCore(q.x)));
-    path.v = toCore(solved(q.U));
-    path.a = impact::vector3{0, 0, 0};
-    path.start = 0;
-    bend(path, solved(q.parcel->position()), deltaT_);
-    return path;
 }
 
 

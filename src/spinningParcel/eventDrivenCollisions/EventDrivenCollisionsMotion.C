@@ -123,7 +123,7 @@ void Foam::EventDrivenCollisions<CloudType>::endPlan(flight& f, mission& m)
     m.end = p.stepFraction() < 1 ? p.stepFraction()*deltaT_ : deltaT_;
 
     const scalar h = m.end - m.path.start;
-    bend(m.path, solved(p.position()), h);
+    m.path.bend(solved(p.position()), h, deltaT_);
     if (h > 1e-9*deltaT_)
     {
         // The bend of a short way is the error of its ends

@@ -179,6 +179,19 @@ void impact::sweptGrid::makeLevels()
     {
         smaller += histogram_[bin++];
     }
+    // Nearly all, if these are little larger: a box of a further level is
+    // compared with several cells of this one
+    const double wider = 1.5*upperEnd(bin);
+    std::size_t within = smaller;
+    int last = bin;
+    while (last < nBins - 1 && upperEnd(last) <= wider)
+    {
+        within += histogram_[last++];
+    }
+    if (10*within >= 9*n)
+    {
+        bin = last - 1;
+    }
     double size = std::max(upperEnd(bin), 1e-12*farthest_ + 1e-280);
     size /= fitting*fitting;
 
