@@ -179,16 +179,16 @@ void impact::sweptGrid::makeLevels()
     {
         smaller += histogram_[bin++];
     }
-    // Nearly all, if these are little larger: a box of a further level is
-    // compared with several cells of this one
-    const double wider = 1.5*upperEnd(bin);
+    // In a plane nearly all, if these are little larger: a box of a further
+    // level is compared with more cells than a box of this one
+    const double wider = dimensions() < 3 ? 1.5*upperEnd(bin) : 0;
     std::size_t within = smaller;
     int last = bin;
     while (last < nBins - 1 && upperEnd(last) <= wider)
     {
         within += histogram_[last++];
     }
-    if (10*within >= 9*n)
+    if (10*within >= 9*n && last > bin)
     {
         bin = last - 1;
     }
