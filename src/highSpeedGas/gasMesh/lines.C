@@ -111,6 +111,36 @@ public:
         return nAcross;
     }
 
+    //- Whether the gas goes on across the cell from face f although no centre
+    //  lies there: in cells so thin that their taper moves the centres along
+    //  by more than their height, where one face looks the other way, and on
+    //  the axis of a wedge, where lines end at an angle to it
+    bool goesOn(const int f, const std::vector<bool>& isWedge) const
+    {
+        int nOpposite = 0;
+        for (const int g : *this)
+        {
+            const double* n = &mesh_.normal[g*n_];
+            double cosine = 0;
+            for (int d = 0; d < n_; d++)
+            {
+                cosine += n[d]*mesh_.normal[f*n_ + d];
+            }
+            nOpposite += outward(f)*outward(g)*cosine <= -0.8;
+
+            if
+            (
+                isWedge[g]
+             && outward(f)*along(g, &mesh_.delta[f*n_])
+              < -0.2*distance(f)*distance(g)
+            )
+            {
+                return true;
+            }
+        }
+        return nOpposite == 1;
+    }
+
     //- Distance to the next cell in a direction or against it, GREAT if there
     //  is none
     double height(const double* direction) const
@@ -204,7 +234,8 @@ void Foam::gasMesh::setLines()
             int g = -1;
             double back[3];
             const int nAcross = ways.acrossFrom(f, g, back);
-            onLines = onLines && nAcross > 0;
+            onLines =
+                onLines && (nAcross > 0 || ways.goesOn(f, isWedge));
 
             // A line has one cell on either side, or the two images beyond
             // the axis of a wedge
