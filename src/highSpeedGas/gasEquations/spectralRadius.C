@@ -20,41 +20,49 @@ void Foam::gasEquations::soundSpeed(std::vector<double>& a) const
 }
 
 
-double Foam::gasEquations::diffusivity(const label f) const
+void Foam::gasEquations::transport
+(
+    const label f,
+    double& mu,
+    double& lambda
+) const
 {
     const label o = geometry_.owner[f];
     const label r = geometry_.far[f];
-    const double* state = &primitive[r*nVar_];
-    const double T = state[1];
-    double mu = eos_.viscosity(T);
-    const double density = state[0]/(eos_.R*T);
-    const double cv =
-        eos_.thermallyPerfect()
-      ? eos_.specificHeat<true>(T)
-      : eos_.cv;
-    double lambda =
+    const double T = primitive[r*nVar_ + 1];
+    mu = eos_.viscosity(T);
+    lambda =
         eos_.thermallyPerfect()
       ? eos_.conductivity<true>(mu, T)
       : eos_.conductivity<false>(mu, T);
     if (!eddyViscosity_.empty())
     {
+        const double cv =
+            eos_.thermallyPerfect()
+          ? eos_.specificHeat<true>(T)
+          : eos_.cv;
         mu += max(eddyViscosity_[o], eddyViscosity_[r]);
         lambda +=
             (cv + eos_.R)*max(eddyDiffusivity_[o], eddyDiffusivity_[r]);
     }
-    return
-        max(4.0/3*mu, lambda/cv)/density
-       *geometry_.area[f]/geometry_.normalDistance[f];
 }
 
 
-void Foam::gasEquations::faceDiffusion(std::vector<double>& diffusion) const
+double Foam::gasEquations::diffusivity(const label f) const
 {
-    diffusion.resize(geometry_.nFaces());
-    for (label f = 0; f < geometry_.nFaces(); f++)
-    {
-        diffusion[f] = diffusivity(f);
-    }
+    const double* state = &primitive[geometry_.far[f]*nVar_];
+    const double T = state[1];
+    const double density = state[0]/(eos_.R*T);
+    const double cv =
+        eos_.thermallyPerfect()
+      ? eos_.specificHeat<true>(T)
+      : eos_.cv;
+    double mu;
+    double lambda;
+    transport(f, mu, lambda);
+    return
+        max(4.0/3*mu, lambda/cv)/density
+       *geometry_.area[f]/geometry_.normalDistance[f];
 }
 
 
@@ -85,6 +93,26 @@ void Foam::gasEquations::faceSpectralRadius(std::vector<double>& lambda) const
         if (viscous_)
         {
             lambda[f] += 2*diffusivity(f);
+        }
+    }
+
+    // No wave goes around the axis, which the thin cells of a wedge would take
+    // many steps for: what counts of their sides is what they leave of the
+    // area in the radial direction
+    double radial[3];
+    double around[3];
+    for (const gasMesh::patchRange& patch : geometry_.patches())
+    {
+        for (label i = 0; i < patch.size && patch.wedge; i++)
+        {
+            const label f = patch.start + i;
+            geometry_.turning(f, radial, around);
+            double across = 0;
+            for (int d = 0; d < nDim; d++)
+            {
+                across += geometry_.normal[f*nDim + d]*radial[d];
+            }
+            lambda[f] *= mag(across);
         }
     }
 }

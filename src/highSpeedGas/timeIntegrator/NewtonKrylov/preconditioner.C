@@ -115,6 +115,60 @@ struct fluxJacobian
 };
 
 
+//- Change of what friction and conduction carry through a unit area with
+//  normal n over a unit distance, with the conserved variables of the cell
+//  before it; u is the velocity on the area
+template<int nDim>
+inline void frictionJacobian
+(
+    const double* q,
+    const double* u,
+    const double* n,
+    const double mu,
+    const double lambda,
+    const gasEquationOfState& gas,
+    double (&D)[nDim + 2][nDim + 2]
+)
+{
+    constexpr int nVar = nDim + 2;
+    const double T = q[1];
+    const bool thermally = gas.thermallyPerfect();
+    const double e = thermally ? gas.energy<true>(T) : gas.energy<false>(T);
+    const double cv = thermally ? gas.specificHeat<true>(T) : gas.cv;
+    const double v = gas.R*T/q[0];
+
+    // Changes of the velocities and of the temperature
+    double du[nDim][nVar] = {};
+    double dT[nVar];
+    double uu = 0;
+    for (int d = 0; d < nDim; d++)
+    {
+        du[d][0] = -q[2 + d]*v;
+        du[d][2 + d] = v;
+        dT[2 + d] = -q[2 + d]*v/cv;
+        uu += q[2 + d]*q[2 + d];
+    }
+    dT[0] = (0.5*uu - e)*v/cv;
+    dT[1] = v/cv;
+
+    for (int j = 0; j < nVar; j++)
+    {
+        double along = 0;
+        for (int d = 0; d < nDim; d++)
+        {
+            along += n[d]*du[d][j];
+        }
+        D[0][j] = 0;
+        D[1][j] = lambda*dT[j];
+        for (int d = 0; d < nDim; d++)
+        {
+            D[2 + d][j] = mu*(du[d][j] + along*n[d]/3);
+            D[1][j] += u[d]*D[2 + d][j];
+        }
+    }
+}
+
+
 template<int n>
 inline void invert(double* M)
 {
@@ -389,25 +443,51 @@ void Foam::NewtonKrylov::addConvection()
 template<int nDim>
 void Foam::NewtonKrylov::addDiffusion()
 {
-    // Conduction and friction as one diffusion of all variables
     constexpr int nVar = nDim + 2;
     const gasMesh& mesh = gas_.geometry();
-    gas_.faceDiffusion(spectral_);
-    for (label f = 0; f < mesh.nFaces(); f++)
+    const gasEquationOfState& eos = gas_.equationOfState();
+    const double* primitive = gas_.primitive.data();
+
+    auto faces = [&](const label start, const label end)
     {
-        const label o = mesh.owner[f];
-        const label r = mesh.far[f];
-        double D[nVar][nVar] = {};
-        for (int k = 1; k < nVar; k++)
+        for (label f = start; f < end; f++)
         {
-            D[k][k] = spectral_[f];
+            const label o = mesh.owner[f];
+            const label r = mesh.far[f];
+            const double* n = &mesh.normal[f*nDim];
+            const double* qo = primitive + o*nVar;
+            const double* qr = primitive + r*nVar;
+
+            double mu;
+            double lambda;
+            gas_.transport(f, mu, lambda);
+            const double share = mesh.area[f]/mesh.normalDistance[f];
+            const bool inner = f < mesh.nInternal();
+
+            double D[nVar][nVar];
+            double u[nDim];
+            for (int d = 0; d < nDim; d++)
+            {
+                u[d] = inner ? 0.5*(qo[2 + d] + qr[2 + d]) : qr[2 + d];
+            }
+            frictionJacobian<nDim>(qo, u, n, mu, lambda, eos, D);
+            add(diagonal_[rowOf_[o]], o, o, share, D);
+            if (inner)
+            {
+                add(farBlock_[f], r, o, -share, D);
+                frictionJacobian<nDim>(qr, u, n, mu, lambda, eos, D);
+                add(diagonal_[rowOf_[r]], r, r, share, D);
+                add(ownerBlock_[f], o, r, -share, D);
+            }
         }
-        add(diagonal_[rowOf_[o]], o, o, 1, D);
-        if (f < mesh.nInternal())
+    };
+
+    faces(0, mesh.nInternal());
+    for (const gasMesh::patchRange& patch : mesh.patches())
+    {
+        if (patch.coupled || !(patch.image() || gas_.frictionless(patch.patchi)))
         {
-            add(diagonal_[rowOf_[r]], r, r, 1, D);
-            add(ownerBlock_[f], o, r, -1, D);
-            add(farBlock_[f], r, o, -1, D);
+            faces(patch.start, patch.start + patch.size);
         }
     }
 }
