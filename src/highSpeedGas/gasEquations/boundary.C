@@ -422,19 +422,22 @@ void Foam::gasEquations::correctBoundary()
     volScalarField& p = thermo_.p();
     volScalarField& T = thermo_.T();
     const int nDim = geometry_.nDim();
-    const label nInternal = geometry_.nInternal();
 
     // The boundary conditions read the fields next to the boundary only
-    for (label f = nInternal; f < geometry_.nFaces(); f++)
+    for (const gasMesh::patchRange& patch : geometry_.patches())
     {
-        const label c = geometry_.owner[f];
-        const double* q = &primitive[c*nVar_];
-        p[c] = q[0];
-        T[c] = q[1];
-        rho_[c] = q[0]/(eos_.R*q[1]);
-        for (int d = 0; d < nDim; d++)
+        const label n = patch.image() ? 0 : patch.size;
+        for (label f = patch.start; f < patch.start + n; f++)
         {
-            U_[c][geometry_.direction(d)] = q[2 + d];
+            const label c = geometry_.owner[f];
+            const double* q = &primitive[c*nVar_];
+            p[c] = q[0];
+            T[c] = q[1];
+            rho_[c] = q[0]/(eos_.R*q[1]);
+            for (int d = 0; d < nDim; d++)
+            {
+                U_[c][geometry_.direction(d)] = q[2 + d];
+            }
         }
     }
 
@@ -456,6 +459,64 @@ void Foam::gasEquations::correctBoundary()
     }
 
     takeBoundary();
+}
+
+
+void Foam::gasEquations::keepBoundary()
+{
+    if (!boundaryNeedsProperties_)
+    {
+        return;
+    }
+    const label n = mesh_.boundary().size();
+    kept_.U.setSize(n);
+    kept_.T.setSize(n);
+    kept_.p.setSize(n);
+    for (const gasMesh::patchRange& patch : geometry_.patches())
+    {
+        if (!patch.coupled && !patch.image())
+        {
+            const label i = patch.patchi;
+            kept_.U[i] = U_.boundaryField()[i];
+            kept_.T[i] = thermo_.T().boundaryField()[i];
+            kept_.p[i] = thermo_.p().boundaryField()[i];
+        }
+    }
+    if (tauMC_.valid())
+    {
+        kept_.gradient = gradient_;
+    }
+}
+
+
+void Foam::gasEquations::correctKeptBoundary()
+{
+    if (!boundaryNeedsProperties_)
+    {
+        correctBoundary();
+        return;
+    }
+    for (const gasMesh::patchRange& patch : geometry_.patches())
+    {
+        if (!patch.coupled && !patch.image())
+        {
+            const label i = patch.patchi;
+            U_.boundaryFieldRef()[i] == kept_.U[i];
+            thermo_.T().boundaryFieldRef()[i] == kept_.T[i];
+            thermo_.p().boundaryFieldRef()[i] == kept_.p[i];
+        }
+    }
+    if (tauMC_.valid())
+    {
+        gradient_ = kept_.gradient;
+    }
+
+    // Where the gas slips along a wall by as much as its own velocity, each
+    // repetition leaves four tenths of the difference
+    for (int i = 0; i < 4; i++)
+    {
+        correctBoundary();
+    }
 }
 
 

@@ -134,7 +134,7 @@ void Foam::steadySolution::approach
 
 bool Foam::steadySolution::converge(NewtonKrylov& newton)
 {
-    const label patience = 40;
+    const label patience = 200;
     const label mostUnsolved = 4;
     label nUnsolved = 0;
     scalar best = GREAT;
@@ -179,14 +179,18 @@ bool Foam::steadySolution::converge(NewtonKrylov& newton)
         }
 
         // The step grows as the residual falls, but no faster than twofold,
-        // nor further than the linear equations can be solved
+        // nor further than the linear equations can be solved. On the way to
+        // a steady state shocks cross cells, and the residual goes up and down
+        // by the time that takes: steps are shortened where it rises by half.
         const scalar small = max(scalar(20), 3e-3/newton.norm());
         const scalar ratio = before/newton.norm();
-        Co =
-            share == 0 ? 0.25*Co
-          : !newton.solved() ? 0.5*Co
-          : share < 1 ? max(0.5, min(ratio, 1.0))*Co
-          : max(max(0.5, min(ratio, 2.0))*Co, min(2*Co, small));
+        Co *=
+            share == 0 ? 0.25
+          : !newton.solved() ? 0.5
+          : share == 1
+          ? max(max(0.5, min(ratio, 2.0)), min(scalar(2), small/Co))
+          : ratio < 0.67 ? 0.7
+          : max(scalar(1), min(scalar(1.1), small/Co));
 
         if (newton.norm() < 0.7*best)
         {

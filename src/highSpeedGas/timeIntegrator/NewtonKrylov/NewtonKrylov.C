@@ -69,7 +69,7 @@ bool Foam::NewtonKrylov::move
         gas_.calm();
         return false;
     }
-    gas_.correctBoundary();
+    gas_.correctKeptBoundary();
     gas_.computeRate();
     nProducts_++;
     return true;
@@ -261,6 +261,7 @@ Foam::scalar Foam::NewtonKrylov::step(const scalar Co)
     // A boundary that lags behind the state would pass for a derivative
     gas_.settleBoundary();
     gas_.computeRate();
+    gas_.keepBoundary();
     setScales();
     base_ = gas_.conserved;
     basePrimitive_ = gas_.primitive;
