@@ -179,14 +179,17 @@ bool Foam::steadySolution::converge(NewtonKrylov& newton)
         }
 
         // The step grows as the residual falls, but no faster than twofold,
-        // nor further than the linear equations can be solved. On the way to
-        // a steady state shocks cross cells, and the residual goes up and down
-        // by the time that takes: steps are shortened where it rises by half.
+        // nor further than the linear equations can be solved. It stays where
+        // they are solved badly but well enough: a steady state that is none
+        // in time is only reached by long steps. On the way to a steady state
+        // shocks cross cells, and the residual goes up and down by the time
+        // that takes: steps are shortened where it rises by half.
+        const bool headway = share == 1 && newton.norm() < 0.9*before;
         const scalar small = max(scalar(20), 3e-3/newton.norm());
         const scalar ratio = before/newton.norm();
         Co *=
             share == 0 ? 0.25
-          : !newton.solved() ? 0.5
+          : !newton.solved() ? (headway ? 1.0 : 0.5)
           : share == 1
           ? max(max(0.5, min(ratio, 2.0)), min(scalar(2), small/Co))
           : ratio < 0.67 ? 0.7
