@@ -1,13 +1,18 @@
 # parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Meshes and cases of spheres and cylinders in supersonic flow, on uniform
-cells between the body and a concentric circle."""
+cells between the body and a concentric circle, and what their stagnation
+region is like."""
 
 import numpy as np
-from caseTools import GAMMA, R_GAS, must, write_case, write_field, write_foam
+from caseTools import (GAMMA, R_GAS, last_fields, must, read_field, times_of,
+                       write_case, write_field, write_foam)
 
 P, T, RADIUS = 26500.0, 223.25, 0.03
 SOUND = np.sqrt(GAMMA*R_GAS*T)
 CP = GAMMA*R_GAS/(GAMMA - 1)
+# From the converged, shock-fitted solutions: standoff, velocity gradient
+EXACT = {("half", 3): (0.6981, 0.6313), ("half", 6): (0.44659, 0.5744),
+         ("half", 20): (0.3829, 0.5542), ("sphere", 6): (0.14872, 0.6175)}
 
 
 def pitot(M):
@@ -85,3 +90,42 @@ def prepare(case, body, cells, outer, M, gas=None, flux="HLLC",
             else:
                 boundary[patch] = "type zeroGradient;"
         write_field(case, name, value, boundary)
+
+
+def flow(case, cells, M):
+    """Of the flow before the body: stagnation pressure over the exact one less
+    1, largest deviation of the total enthalpy in the front half of the layer,
+    standoff over radius, velocity gradient of the wall at the stagnation point
+    over the stream's speed, and the pressure of the wall over the exact
+    stagnation pressure with the angles."""
+    must(case, "postProcess", "-func", "writeCellCentres", "-latestTime")
+    C = read_field(f"{case}/{times_of(case)[-1]}/C")
+    p, t, U = [f.reshape(cells[1], cells[0], *f.shape[1:])
+               for f in last_fields(case, "p T U")]
+    C = C.reshape(cells[1], cells[0], 3)
+    away = np.hypot(C[..., 1], C[..., 2])
+    r = np.hypot(C[..., 0], away)/RADIUS
+    theta = np.arctan2(away, -C[..., 0])
+    angle = theta[:, 0]
+
+    def wall(q):
+        return np.array([np.polyfit(r[j, :3] - 1, q[j, :3], 2)[2]
+                         for j in range(cells[1])])
+
+    H = (CP*t + 0.5*(U**2).sum(axis=2))/(CP*T + 0.5*(M*SOUND)**2)
+    pressure = wall(p)/(P*pitot(M))
+    p0 = np.polyfit(angle[:4]**2, pressure[:4], 1)[1] - 1
+    # (a wedge lies in y > 0)
+    along = (U[..., 0]*np.sin(theta)
+             + (U[..., 1]*C[..., 1] + U[..., 2]*C[..., 2])/away*np.cos(theta))
+    gradient = np.polyfit(angle[:5]**2, wall(along)[:5]/angle[:5],
+                          1)[1]/(M*SOUND)
+    mean = 0.5*P*(2 + 2*GAMMA/(GAMMA + 1)*(M*M - 1))
+    stand = []
+    for j in range(4):
+        i = np.where(p[j] > mean)[0].max()
+        share = (p[j, i] - mean)/(p[j, i] - p[j, i + 1])
+        stand.append(r[j, i] + share*(r[j, i + 1] - r[j, i]) - 1)
+    standoff = np.polyfit(angle[:4]**2, stand, 1)[1]
+    enthalpy = np.abs(H[:cells[1]//2, :i - 4] - 1).max()
+    return p0, enthalpy, standoff, gradient, angle, pressure
