@@ -179,19 +179,6 @@ void impact::sweptGrid::makeLevels()
     {
         smaller += histogram_[bin++];
     }
-    // In a plane nearly all, if these are little larger: a box of a further
-    // level is compared with more cells than a box of this one
-    const double wider = dimensions() < 3 ? 1.5*upperEnd(bin) : 0;
-    std::size_t within = smaller;
-    int last = bin;
-    while (last < nBins - 1 && upperEnd(last) <= wider)
-    {
-        within += histogram_[last++];
-    }
-    if (10*within >= 9*n && last > bin)
-    {
-        bin = last - 1;
-    }
     double size = std::max(upperEnd(bin), 1e-12*farthest_ + 1e-280);
     size /= fitting*fitting;
 
