@@ -270,200 +270,251 @@ inline void Foam::gasEquations::turnedToFace
 
 
 template<int nDim>
-void Foam::gasEquations::innerFluxes()
+void Foam::gasEquations::readFaces
+(
+    const label first,
+    const int n,
+    faceBlock& block,
+    faceState& state
+) const
 {
     constexpr int nVar = nDim + 2;
     const double* __restrict q = primitive.data();
     const double* __restrict g = gradient_.data();
+    state.shocked = false;
+    state.anyInvalid = false;
+    for (int i = 0; i < n; i++)
+    {
+        const label f = first + i;
+        const label next = min(f + facesAhead, geometry_.nFaces() - 1);
+        fetch<nVar>(q + geometry_.owner[next]*nVar);
+        fetch<nVar>(q + geometry_.far[next]*nVar);
+        fetch<nVar*nDim>(g + geometry_.owner[next]*(nVar*nDim));
+        fetch<nVar*nDim>(g + geometry_.far[next]*(nVar*nDim));
+        fetch<nVar>(&rate[geometry_.owner[f]*nVar]);
+        if (f < geometry_.nInternal())
+        {
+            fetch<nVar>(&rate[geometry_.far[f]*nVar]);
+        }
+
+        const int o = geometry_.owner[f];
+        const int r = geometry_.far[f];
+        const double* qo = q + o*nVar;
+        const double* qr = q + r*nVar;
+        const double* go = g + o*(nVar*nDim);
+        const double* gr = g + r*(nVar*nDim);
+        const double* delta = &geometry_.delta[f*nDim];
+        const double* ao = &geometry_.alongOwner[f*nDim];
+        const double* ar = &geometry_.alongFar[f*nDim];
+        double so[nVar];
+        double sr[nVar];
+        for (int k = 0; k < nVar; k++)
+        {
+            so[k] = 2*ao[0]*go[k];
+            sr[k] = 2*ar[0]*gr[k];
+        }
+        for (int d = 1; d < nDim; d++)
+        {
+            for (int k = 0; k < nVar; k++)
+            {
+                so[k] += 2*ao[d]*go[d*nVar + k];
+                sr[k] += 2*ar[d]*gr[d*nVar + k];
+            }
+        }
+        double own[nVar];
+        double other[nVar];
+        std::copy(qo, qo + nVar, own);
+        std::copy(qr, qr + nVar, other);
+        if (!geometry_.axis.empty())
+        {
+            turnedToFace<nDim>(f, o, ao, own, so);
+            turnedToFace<nDim>(f, r, ar, other, sr);
+        }
+        for (int k = 0; k < nVar; k++)
+        {
+            block.owner[k][i] = own[k];
+            block.far[k][i] = other[k];
+            block.slopeOwner[k][i] = so[k];
+            block.slopeFar[k][i] = sr[k];
+        }
+        const double RT = eos_.R*0.5*(qo[1] + qr[1]);
+        if (passed_ > 0)
+        {
+            block.passed[0][i] = passed_;
+            block.passed[1][i] = passed_*qo[1]*qr[1];
+            for (int d = 0; d < nDim; d++)
+            {
+                block.passed[2 + d][i] = passed_*RT;
+            }
+        }
+        block.weight[i] = geometry_.weight[f];
+        for (int d = 0; d < nDim; d++)
+        {
+            block.normal[d][i] = geometry_.normal[f*nDim + d];
+        }
+        // Differences of velocity below three hundredths of the speed of
+        // sound are none of a fan
+        block.expands[i] = shareExpanding<nDim>
+        (
+            own, other, so, sr, &geometry_.normal[f*nDim], 1e-3*RT
+        );
+        state.shock[i] =
+            sensesShocks_
+          ? shareInShock<nDim>(qo, qr, go, gr, delta)
+          : 0;
+        state.shocked = state.shocked || state.shock[i] > 0;
+        state.invalid[i] = anyInvalid_ && (invalid_[o] || invalid_[r]);
+        state.anyInvalid = state.anyInvalid || state.invalid[i] > 0;
+    }
+}
+
+
+template<int nDim>
+void Foam::gasEquations::fluxesOfFaces
+(
+    const int n,
+    faceBlock& block,
+    const faceState& state
+) const
+{
+    constexpr int nVar = nDim + 2;
+    if (rough_)
+    {
+        firstOrder_(block, n, 0, nVar);
+    }
+    for (const variableLimiter& limiter : reconstruction_)
+    {
+        if (!rough_)
+        {
+            limiter.reconstruct(block, n, limiter.first, limiter.end);
+        }
+    }
+    flux_(block, n, eos_);
+
+    if (state.shocked)
+    {
+        if (flatShocks_)
+        {
+            firstOrder_(block, n, 0, nVar);
+        }
+        blendFluxes(block, n, state.shock);
+    }
+    if (state.anyInvalid)
+    {
+        firstOrder_(block, n, 0, nVar);
+        blendFluxes(block, n, state.invalid);
+    }
+}
+
+
+template<int nDim>
+void Foam::gasEquations::mirrorFluxes
+(
+    const label first,
+    const int n,
+    faceBlock& block
+) const
+{
+    for (int i = 0; i < n; i++)
+    {
+        // Nothing but pressure, to the last digit
+        const double* normal = &geometry_.normal[(first + i)*nDim];
+        double pressure = 0;
+        for (int d = 0; d < nDim; d++)
+        {
+            pressure += block.flux[2 + d][i]*normal[d];
+        }
+        block.flux[0][i] = 0;
+        block.flux[1][i] = 0;
+        for (int d = 0; d < nDim; d++)
+        {
+            block.flux[2 + d][i] = pressure*normal[d];
+        }
+    }
+}
+
+
+template<int nDim>
+void Foam::gasEquations::addFluxes
+(
+    const label first,
+    const int n,
+    const faceBlock& block,
+    scalar* massFlux
+)
+{
+    constexpr int nVar = nDim + 2;
+    for (int i = 0; i < n; i++)
+    {
+        const label f = first + i;
+        const double S = geometry_.area[f];
+        double* ro = &rate[geometry_.owner[f]*nVar];
+        massFlux[f] = block.flux[0][i]*S;
+        if (f < geometry_.nInternal())
+        {
+            double* rf = &rate[geometry_.far[f]*nVar];
+            for (int k = 0; k < nVar; k++)
+            {
+                const double F = block.flux[k][i]*S;
+                ro[k] -= F;
+                rf[k] += F;
+            }
+        }
+        else
+        {
+            for (int k = 0; k < nVar; k++)
+            {
+                ro[k] -= block.flux[k][i]*S;
+            }
+        }
+    }
+}
+
+
+template<int nDim>
+void Foam::gasEquations::innerFluxes()
+{
     faceBlock block;
+    faceState state;
     block.smooth = passed_ > 0;
 
-    //- Mass fluxes of the faces in hand, those of face f at massFlux[f]
-    scalar* massFlux = phi_.begin();
-
-    //- Whether the gas behind the faces in hand is an image
-    bool mirrored = false;
-
-    auto blockOfFaces = [&](const label first, const int n)
+    // massFlux: those of face f at massFlux[f]. mirrored: the gas behind the
+    // faces is an image
+    const auto range = [&]
+    (
+        const label start,
+        const label end,
+        scalar* massFlux,
+        const bool mirrored
+    )
     {
-        bool invalidBlock = false;
-        double invalidFace[faceBlock::size];
-        bool shockedBlock = false;
-        double shock[faceBlock::size];
-
-        for (int i = 0; i < n; i++)
+        for (label first = start; first < end; first += faceBlock::size)
         {
-            const label f = first + i;
-            const label next = min(f + facesAhead, geometry_.nFaces() - 1);
-            fetch<nVar>(q + geometry_.owner[next]*nVar);
-            fetch<nVar>(q + geometry_.far[next]*nVar);
-            fetch<nVar*nDim>(g + geometry_.owner[next]*(nVar*nDim));
-            fetch<nVar*nDim>(g + geometry_.far[next]*(nVar*nDim));
-            fetch<nVar>(&rate[geometry_.owner[f]*nVar]);
-            if (f < geometry_.nInternal())
+            const int n = min(label(faceBlock::size), end - first);
+            readFaces<nDim>(first, n, block, state);
+            fluxesOfFaces<nDim>(n, block, state);
+            if (mirrored)
             {
-                fetch<nVar>(&rate[geometry_.far[f]*nVar]);
+                mirrorFluxes<nDim>(first, n, block);
             }
-
-            const int o = geometry_.owner[f];
-            const int r = geometry_.far[f];
-            const double* qo = q + o*nVar;
-            const double* qr = q + r*nVar;
-            const double* go = g + o*(nVar*nDim);
-            const double* gr = g + r*(nVar*nDim);
-            const double* delta = &geometry_.delta[f*nDim];
-            const double* ao = &geometry_.alongOwner[f*nDim];
-            const double* ar = &geometry_.alongFar[f*nDim];
-            double so[nVar];
-            double sr[nVar];
-            for (int k = 0; k < nVar; k++)
-            {
-                so[k] = 2*ao[0]*go[k];
-                sr[k] = 2*ar[0]*gr[k];
-            }
-            for (int d = 1; d < nDim; d++)
-            {
-                for (int k = 0; k < nVar; k++)
-                {
-                    so[k] += 2*ao[d]*go[d*nVar + k];
-                    sr[k] += 2*ar[d]*gr[d*nVar + k];
-                }
-            }
-            double own[nVar];
-            double other[nVar];
-            std::copy(qo, qo + nVar, own);
-            std::copy(qr, qr + nVar, other);
-            if (!geometry_.axis.empty())
-            {
-                turnedToFace<nDim>(f, o, ao, own, so);
-                turnedToFace<nDim>(f, r, ar, other, sr);
-            }
-            for (int k = 0; k < nVar; k++)
-            {
-                block.owner[k][i] = own[k];
-                block.far[k][i] = other[k];
-                block.slopeOwner[k][i] = so[k];
-                block.slopeFar[k][i] = sr[k];
-            }
-            const double RT = eos_.R*0.5*(qo[1] + qr[1]);
-            if (passed_ > 0)
-            {
-                block.passed[0][i] = passed_;
-                block.passed[1][i] = passed_*qo[1]*qr[1];
-                for (int d = 0; d < nDim; d++)
-                {
-                    block.passed[2 + d][i] = passed_*RT;
-                }
-            }
-            block.weight[i] = geometry_.weight[f];
-            for (int d = 0; d < nDim; d++)
-            {
-                block.normal[d][i] = geometry_.normal[f*nDim + d];
-            }
-            // Differences of velocity below three hundredths of the speed of
-            // sound are none of a fan
-            block.expands[i] = shareExpanding<nDim>
-            (
-                own, other, so, sr, &geometry_.normal[f*nDim], 1e-3*RT
-            );
-            shock[i] =
-                sensesShocks_
-              ? shareInShock<nDim>(qo, qr, go, gr, delta)
-              : 0;
-            shockedBlock = shockedBlock || shock[i] > 0;
-            invalidFace[i] = anyInvalid_ && (invalid_[o] || invalid_[r]);
-            invalidBlock = invalidBlock || invalidFace[i] > 0;
-        }
-
-        if (rough_)
-        {
-            firstOrder_(block, n, 0, nVar);
-        }
-        for (const variableLimiter& limiter : reconstruction_)
-        {
-            if (!rough_)
-            {
-                limiter.reconstruct(block, n, limiter.first, limiter.end);
-            }
-        }
-        flux_(block, n, eos_);
-
-        if (shockedBlock)
-        {
-            if (flatShocks_)
-            {
-                firstOrder_(block, n, 0, nVar);
-            }
-            blendFluxes(block, n, shock);
-        }
-        if (invalidBlock)
-        {
-            firstOrder_(block, n, 0, nVar);
-            blendFluxes(block, n, invalidFace);
-        }
-
-        for (int i = 0; i < n && mirrored; i++)
-        {
-            // Nothing but pressure, to the last digit
-            const double* normal = &geometry_.normal[(first + i)*nDim];
-            double pressure = 0;
-            for (int d = 0; d < nDim; d++)
-            {
-                pressure += block.flux[2 + d][i]*normal[d];
-            }
-            block.flux[0][i] = 0;
-            block.flux[1][i] = 0;
-            for (int d = 0; d < nDim; d++)
-            {
-                block.flux[2 + d][i] = pressure*normal[d];
-            }
-        }
-
-        for (int i = 0; i < n; i++)
-        {
-            const label f = first + i;
-            const double S = geometry_.area[f];
-            double* ro = &rate[geometry_.owner[f]*nVar];
-            massFlux[f] = block.flux[0][i]*S;
-            if (f < geometry_.nInternal())
-            {
-                double* rf = &rate[geometry_.far[f]*nVar];
-                for (int k = 0; k < nVar; k++)
-                {
-                    const double F = block.flux[k][i]*S;
-                    ro[k] -= F;
-                    rf[k] += F;
-                }
-            }
-            else
-            {
-                for (int k = 0; k < nVar; k++)
-                {
-                    ro[k] -= block.flux[k][i]*S;
-                }
-            }
+            addFluxes<nDim>(first, n, block, massFlux);
         }
     };
 
-    auto range = [&](label first, const label end)
-    {
-        for (; first < end; first += faceBlock::size)
-        {
-            blockOfFaces(first, min(label(faceBlock::size), end - first));
-        }
-    };
-
-    range(0, geometry_.nInternal());
+    range(0, geometry_.nInternal(), phi_.begin(), false);
     for (const gasMesh::patchRange& patch : geometry_.patches())
     {
         // The gas goes on behind a symmetry plane: half a body then has the
         // flow of the whole body
         if (patch.coupled || patch.symmetry)
         {
-            massFlux =
-                phi_.boundaryFieldRef()[patch.patchi].begin() - patch.start;
-            mirrored = patch.symmetry;
-            range(patch.start, patch.start + patch.size);
+            range
+            (
+                patch.start,
+                patch.start + patch.size,
+                phi_.boundaryFieldRef()[patch.patchi].begin() - patch.start,
+                patch.symmetry
+            );
         }
     }
 }
