@@ -140,33 +140,53 @@ void Foam::gasEquations::centralRadius(std::vector<double>& lambda) const
     soundSpeed(soundSpeed_);
     lambda.assign(geometry_.nCells(), 0);
 
-    for (label f = 0; f < geometry_.nFaces(); f++)
+    // owned: weight of the owner in the speed on its side of the face
+    auto faces = [&](const label start, const label end, const double owned)
     {
-        const label o = geometry_.owner[f];
-        const label r = geometry_.far[f];
-        const double* n = &geometry_.normal[f*nDim];
-        const double* qo = &primitive[o*nVar_ + 2];
-        const double* qr = &primitive[r*nVar_ + 2];
-        double uo = 0;
-        double ur = 0;
-        for (int d = 0; d < nDim; d++)
+        for (label f = start; f < end; f++)
         {
-            uo += qo[d]*n[d];
-            ur += qr[d]*n[d];
-        }
-        const double ap =
-            max(max(uo + soundSpeed_[o], ur + soundSpeed_[r]), 0.0);
-        const double am =
-            min(min(uo - soundSpeed_[o], ur - soundSpeed_[r]), 0.0);
-        const double share = ap/(ap - am);
-        const double flux =
-            max(mag(share*(uo - am)), mag((1 - share)*(ur - ap)))
-           *geometry_.area[f];
+            const label o = geometry_.owner[f];
+            const label r = geometry_.far[f];
+            const double* n = &geometry_.normal[f*nDim];
+            const double* qo = &primitive[o*nVar_ + 2];
+            const double* qr = &primitive[r*nVar_ + 2];
+            double uo = 0;
+            double ur = 0;
+            for (int d = 0; d < nDim; d++)
+            {
+                uo += qo[d]*n[d];
+                ur += qr[d]*n[d];
+            }
+            uo = owned*uo + (1 - owned)*ur;
+            ur = owned < 1 ? uo : ur;
+            const double ar = soundSpeed_[r];
+            const double ao = owned < 1 ? ar : soundSpeed_[o];
+            const double ap = max(max(uo + ao, ur + ar), 0.0);
+            const double am = min(min(uo - ao, ur - ar), 0.0);
+            const double share = ap/(ap - am);
+            const double flux =
+                max(mag(share*(uo - am)), mag((1 - share)*(ur - ap)))
+               *geometry_.area[f];
 
-        lambda[o] += flux;
-        if (f < geometry_.nInternal())
-        {
-            lambda[r] += flux;
+            lambda[o] += flux;
+            if (f < geometry_.nInternal())
+            {
+                lambda[r] += flux;
+            }
         }
+    };
+
+    // The stock solver has one state on a boundary face, that of the boundary
+    // condition: between a cell and its image the velocity through the face is
+    // none
+    faces(0, geometry_.nInternal(), 1);
+    for (const gasMesh::patchRange& patch : geometry_.patches())
+    {
+        faces
+        (
+            patch.start,
+            patch.start + patch.size,
+            patch.coupled ? 1 : patch.image() ? 0.5 : 0
+        );
     }
 }
