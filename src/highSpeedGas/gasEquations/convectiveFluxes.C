@@ -12,6 +12,13 @@ namespace Foam
 //  meshes that have been cut and refined they lie anywhere in memory
 static constexpr label facesAhead = 12;
 
+//- Whether gradients are more than a processor keeps near itself: asking for
+//  what is there already costs a twentieth of the time of a step
+inline bool outOfReach(const std::vector<double>& gradient)
+{
+    return gradient.size() > 250000;
+}
+
 //- Ask for n values
 template<int n>
 inline void fetch(const double* values)
@@ -113,14 +120,18 @@ void Foam::gasEquations::gradients()
 
     const double* __restrict q = primitive.data();
     double* __restrict g = gradient_.data();
+    const bool fetches = outOfReach(gradient_);
 
     for (label f = 0; f < nFaces; f++)
     {
-        const label next = min(f + facesAhead, nFaces - 1);
-        fetch<nVar>(q + geometry_.owner[next]*nVar);
-        fetch<nVar>(q + geometry_.far[next]*nVar);
-        fetch<nVar*nDim>(g + geometry_.owner[next]*(nVar*nDim));
-        fetch<nVar*nDim>(g + geometry_.far[next]*(nVar*nDim));
+        if (fetches)
+        {
+            const label next = min(f + facesAhead, nFaces - 1);
+            fetch<nVar>(q + geometry_.owner[next]*nVar);
+            fetch<nVar>(q + geometry_.far[next]*nVar);
+            fetch<nVar*nDim>(g + geometry_.owner[next]*(nVar*nDim));
+            fetch<nVar*nDim>(g + geometry_.far[next]*(nVar*nDim));
+        }
 
         const double* qo = q + geometry_.owner[f]*nVar;
         const double* qf = q + geometry_.far[f]*nVar;
@@ -281,20 +292,24 @@ void Foam::gasEquations::readFaces
     constexpr int nVar = nDim + 2;
     const double* __restrict q = primitive.data();
     const double* __restrict g = gradient_.data();
+    const bool fetches = outOfReach(gradient_);
     state.shocked = false;
     state.anyInvalid = false;
     for (int i = 0; i < n; i++)
     {
         const label f = first + i;
-        const label next = min(f + facesAhead, geometry_.nFaces() - 1);
-        fetch<nVar>(q + geometry_.owner[next]*nVar);
-        fetch<nVar>(q + geometry_.far[next]*nVar);
-        fetch<nVar*nDim>(g + geometry_.owner[next]*(nVar*nDim));
-        fetch<nVar*nDim>(g + geometry_.far[next]*(nVar*nDim));
-        fetch<nVar>(&rate[geometry_.owner[f]*nVar]);
-        if (f < geometry_.nInternal())
+        if (fetches)
         {
-            fetch<nVar>(&rate[geometry_.far[f]*nVar]);
+            const label next = min(f + facesAhead, geometry_.nFaces() - 1);
+            fetch<nVar>(q + geometry_.owner[next]*nVar);
+            fetch<nVar>(q + geometry_.far[next]*nVar);
+            fetch<nVar*nDim>(g + geometry_.owner[next]*(nVar*nDim));
+            fetch<nVar*nDim>(g + geometry_.far[next]*(nVar*nDim));
+            fetch<nVar>(&rate[geometry_.owner[f]*nVar]);
+            if (f < geometry_.nInternal())
+            {
+                fetch<nVar>(&rate[geometry_.far[f]*nVar]);
+            }
         }
 
         const int o = geometry_.owner[f];
