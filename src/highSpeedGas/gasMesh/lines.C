@@ -111,23 +111,12 @@ public:
         return nAcross;
     }
 
-    //- Whether the gas goes on across the cell from face f although no centre
-    //  lies there: in cells so thin that their taper moves the centres along
-    //  by more than their height, where one face looks the other way, and on
-    //  the axis of a wedge, where lines end at an angle to it
-    bool goesOn(const int f, const std::vector<bool>& isWedge) const
+    //- Whether the gas goes on across the cell from face f to the axis of a
+    //  wedge, where lines end at an angle to it and have no centre across
+    bool endsOnAxis(const int f, const std::vector<bool>& isWedge) const
     {
-        int nOpposite = 0;
         for (const int g : *this)
         {
-            const double* n = &mesh_.normal[g*n_];
-            double cosine = 0;
-            for (int d = 0; d < n_; d++)
-            {
-                cosine += n[d]*mesh_.normal[f*n_ + d];
-            }
-            nOpposite += outward(f)*outward(g)*cosine <= -0.8;
-
             if
             (
                 isWedge[g]
@@ -138,7 +127,7 @@ public:
                 return true;
             }
         }
-        return nOpposite == 1;
+        return false;
     }
 
     //- Distance to the next cell in a direction or against it, GREAT if there
@@ -235,7 +224,7 @@ void Foam::gasMesh::setLines()
             double back[3];
             const int nAcross = ways.acrossFrom(f, g, back);
             onLines =
-                onLines && (nAcross > 0 || ways.goesOn(f, isWedge));
+                onLines && (nAcross > 0 || ways.endsOnAxis(f, isWedge));
 
             // A line has one cell on either side, or the two images beyond
             // the axis of a wedge
