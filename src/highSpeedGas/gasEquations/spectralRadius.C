@@ -103,9 +103,9 @@ void Foam::gasEquations::faceSpectralRadius(std::vector<double>& lambda) const
     double around[3];
     for (const gasMesh::patchRange& patch : geometry_.patches())
     {
-        for (label i = 0; i < patch.size && patch.wedge; i++)
+        const label n = patch.wedge ? patch.size : 0;
+        for (label f = patch.start; f < patch.start + n; f++)
         {
-            const label f = patch.start + i;
             geometry_.turning(f, radial, around);
             double across = 0;
             for (int d = 0; d < nDim; d++)
