@@ -3,14 +3,13 @@
 \*---------------------------------------------------------------------------*/
 
 #include "gasEquations.H"
+#include "expansion.H"
+#include "faceRows.H"
+#include "gradients.H"
 #include <algorithm>
 
 namespace Foam
 {
-
-//- Faces by which the values of cells are asked for ahead of their use: on
-//  meshes that have been cut and refined they lie anywhere in memory
-static constexpr label facesAhead = 12;
 
 //- Whether gradients are more than a processor keeps near itself: asking for
 //  what is there already costs a twentieth of the time of a step
@@ -18,46 +17,6 @@ inline bool outOfReach(const std::vector<double>& gradient)
 {
     return gradient.size() > 250000;
 }
-
-//- Ask for n values
-template<int n>
-inline void fetch(const double* values)
-{
-    for (int i = 0; i < n; i += 8)
-    {
-        __builtin_prefetch(values + i);
-    }
-    __builtin_prefetch(values + n - 1);
-}
-
-
-//- Share in which the gas expands across a face and across the next ones on
-//  both sides, from the velocities and their changes over both ways of the
-//  cell. Smooth: differences whose squares are small beside a given one do not
-//  count.
-template<int nDim>
-inline double shareExpanding
-(
-    const double* owner,
-    const double* far,
-    const double* slopeOwner,
-    const double* slopeFar,
-    const double* normal,
-    const double small
-)
-{
-    double across = 0, aroundOwner = 0, aroundFar = 0;
-    for (int d = 0; d < nDim; d++)
-    {
-        across += (far[2 + d] - owner[2 + d])*normal[d];
-        aroundOwner += slopeOwner[2 + d]*normal[d];
-        aroundFar += slopeFar[2 + d]*normal[d];
-    }
-    const double apart =
-        max(min(across, min(aroundOwner, aroundFar) - across), 0.0);
-    return sqr(apart)/(sqr(apart) + small);
-}
-
 
 //- Share 0..1 of a face in a shock: whether the pressure rises along the flow
 //  by a large part of itself (two to three tenths) within the distance
@@ -112,60 +71,17 @@ inline double shareInShock
 template<int nDim>
 void Foam::gasEquations::gradients()
 {
-    constexpr int nVar = nDim + 2;
-    const label nInternal = geometry_.nInternal();
-    const label nFaces = geometry_.nFaces();
-
-    std::fill(gradient_.begin(), gradient_.end(), 0);
-
-    const double* __restrict q = primitive.data();
-    double* __restrict g = gradient_.data();
-    const bool fetches = outOfReach(gradient_);
-
-    for (label f = 0; f < nFaces; f++)
+    const leastSquaresLinks links
     {
-        if (fetches)
-        {
-            const label next = min(f + facesAhead, nFaces - 1);
-            fetch<nVar>(q + geometry_.owner[next]*nVar);
-            fetch<nVar>(q + geometry_.far[next]*nVar);
-            fetch<nVar*nDim>(g + geometry_.owner[next]*(nVar*nDim));
-            fetch<nVar*nDim>(g + geometry_.far[next]*(nVar*nDim));
-        }
+        geometry_.nCells(),
+        geometry_.cellStart.data(),
+        geometry_.neighbour.data(),
+        geometry_.lsqVector.data()
+    };
+    double* g = gradient_.data();
+    leastSquaresGradients(links, nDim, primitive.data(), g);
 
-        const double* qo = q + geometry_.owner[f]*nVar;
-        const double* qf = q + geometry_.far[f]*nVar;
-        double jump[nVar];
-        for (int k = 0; k < nVar; k++)
-        {
-            jump[k] = qf[k] - qo[k];
-        }
-
-        double* go = g + geometry_.owner[f]*(nVar*nDim);
-        const double* lo = &geometry_.lsqOwner[f*nDim];
-        for (int d = 0; d < nDim; d++)
-        {
-            for (int k = 0; k < nVar; k++)
-            {
-                go[d*nVar + k] += lo[d]*jump[k];
-            }
-        }
-
-        if (f < nInternal)
-        {
-            double* gf = g + geometry_.far[f]*(nVar*nDim);
-            const double* lf = &geometry_.lsqFar[f*nDim];
-            for (int d = 0; d < nDim; d++)
-            {
-                for (int k = 0; k < nVar; k++)
-                {
-                    gf[d*nVar + k] += lf[d]*jump[k];
-                }
-            }
-        }
-    }
-
-    geometry_.exchange(g, nVar*nDim);
+    geometry_.exchange(g, nVar_*nDim);
     geometry_.reflectGradients(g);
     if (geometry_.anyUnaligned)
     {
@@ -285,76 +201,67 @@ void Foam::gasEquations::readFaces
 (
     const label first,
     const int n,
+    faceRows& rows,
     faceBlock& block,
     faceState& state
 ) const
 {
     constexpr int nVar = nDim + 2;
-    const double* __restrict q = primitive.data();
-    const double* __restrict g = gradient_.data();
-    const bool fetches = outOfReach(gradient_);
+    const double* q = primitive.data();
+    const double* g = gradient_.data();
+    const faceLinks faces
+    {
+        geometry_.nFaces(),
+        geometry_.owner.data(),
+        geometry_.far.data(),
+        geometry_.alongOwner.data(),
+        geometry_.alongFar.data(),
+        geometry_.normal.data(),
+        outOfReach(gradient_)
+    };
+    rows.read(faces, nDim, first, n, q, g);
+    if (!geometry_.axis.empty())
+    {
+        for (int i = 0; i < n; i++)
+        {
+            const label f = first + i;
+            turnedToFace<nDim>
+            (
+                f, faces.owner[f], faces.alongOwner + f*nDim,
+                rows.owner + i*nVar, rows.slopeOwner + i*nVar
+            );
+            turnedToFace<nDim>
+            (
+                f, faces.far[f], faces.alongFar + f*nDim,
+                rows.far + i*nVar, rows.slopeFar + i*nVar
+            );
+        }
+    }
+    rows.turnOver(faces, nDim, first, n, block);
+
+    if (faces.ahead)
+    {
+        for (label f = first; f < first + n; f++)
+        {
+            __builtin_prefetch(&rate[faces.owner[f]*nVar]);
+            if (f < geometry_.nInternal())
+            {
+                __builtin_prefetch(&rate[faces.far[f]*nVar]);
+            }
+        }
+    }
     state.shocked = false;
     state.anyInvalid = false;
     for (int i = 0; i < n; i++)
     {
         const label f = first + i;
-        if (fetches)
-        {
-            const label next = min(f + facesAhead, geometry_.nFaces() - 1);
-            fetch<nVar>(q + geometry_.owner[next]*nVar);
-            fetch<nVar>(q + geometry_.far[next]*nVar);
-            fetch<nVar*nDim>(g + geometry_.owner[next]*(nVar*nDim));
-            fetch<nVar*nDim>(g + geometry_.far[next]*(nVar*nDim));
-            fetch<nVar>(&rate[geometry_.owner[f]*nVar]);
-            if (f < geometry_.nInternal())
-            {
-                fetch<nVar>(&rate[geometry_.far[f]*nVar]);
-            }
-        }
-
-        const int o = geometry_.owner[f];
-        const int r = geometry_.far[f];
+        const int o = faces.owner[f];
+        const int r = faces.far[f];
         const double* qo = q + o*nVar;
         const double* qr = q + r*nVar;
-        const double* go = g + o*(nVar*nDim);
-        const double* gr = g + r*(nVar*nDim);
-        const double* delta = &geometry_.delta[f*nDim];
-        const double* ao = &geometry_.alongOwner[f*nDim];
-        const double* ar = &geometry_.alongFar[f*nDim];
-        double so[nVar];
-        double sr[nVar];
-        for (int k = 0; k < nVar; k++)
-        {
-            so[k] = 2*ao[0]*go[k];
-            sr[k] = 2*ar[0]*gr[k];
-        }
-        for (int d = 1; d < nDim; d++)
-        {
-            for (int k = 0; k < nVar; k++)
-            {
-                so[k] += 2*ao[d]*go[d*nVar + k];
-                sr[k] += 2*ar[d]*gr[d*nVar + k];
-            }
-        }
-        double own[nVar];
-        double other[nVar];
-        std::copy(qo, qo + nVar, own);
-        std::copy(qr, qr + nVar, other);
-        if (!geometry_.axis.empty())
-        {
-            turnedToFace<nDim>(f, o, ao, own, so);
-            turnedToFace<nDim>(f, r, ar, other, sr);
-        }
-        for (int k = 0; k < nVar; k++)
-        {
-            block.owner[k][i] = own[k];
-            block.far[k][i] = other[k];
-            block.slopeOwner[k][i] = so[k];
-            block.slopeFar[k][i] = sr[k];
-        }
-        const double RT = eos_.R*0.5*(qo[1] + qr[1]);
         if (passed_ > 0)
         {
+            const double RT = eos_.R*0.5*(qo[1] + qr[1]);
             block.passed[0][i] = passed_;
             block.passed[1][i] = passed_*qo[1]*qr[1];
             for (int d = 0; d < nDim; d++)
@@ -363,24 +270,19 @@ void Foam::gasEquations::readFaces
             }
         }
         block.weight[i] = geometry_.weight[f];
-        for (int d = 0; d < nDim; d++)
-        {
-            block.normal[d][i] = geometry_.normal[f*nDim + d];
-        }
-        // Differences of velocity below three hundredths of the speed of
-        // sound are none of a fan
-        block.expands[i] = shareExpanding<nDim>
-        (
-            own, other, so, sr, &geometry_.normal[f*nDim], 1e-3*RT
-        );
         state.shock[i] =
             sensesShocks_
-          ? shareInShock<nDim>(qo, qr, go, gr, delta)
+          ? shareInShock<nDim>
+            (
+                qo, qr, g + o*(nVar*nDim), g + r*(nVar*nDim),
+                &geometry_.delta[f*nDim]
+            )
           : 0;
         state.shocked = state.shocked || state.shock[i] > 0;
         state.invalid[i] = anyInvalid_ && (invalid_[o] || invalid_[r]);
         state.anyInvalid = state.anyInvalid || state.invalid[i] > 0;
     }
+    faceExpansion(block, n, nDim, eos_.R);
 }
 
 
@@ -489,6 +391,7 @@ void Foam::gasEquations::addFluxes
 template<int nDim>
 void Foam::gasEquations::innerFluxes()
 {
+    faceRows rows;
     faceBlock block;
     faceState state;
     block.smooth = passed_ > 0;
@@ -506,7 +409,7 @@ void Foam::gasEquations::innerFluxes()
         for (label first = start; first < end; first += faceBlock::size)
         {
             const int n = min(label(faceBlock::size), end - first);
-            readFaces<nDim>(first, n, block, state);
+            readFaces<nDim>(first, n, rows, block, state);
             fluxesOfFaces<nDim>(n, block, state);
             if (mirrored)
             {

@@ -229,12 +229,15 @@ void Foam::gasMesh::setCells()
         cellStart[c + 1] += cellStart[c];
     }
     faceOf.resize(cellStart[nCells_]);
+    neighbour.resize(faceOf.size());
     std::vector<int> fill(cellStart.begin(), cellStart.end() - 1);
     for (label f = 0; f < nFaces_; f++)
     {
+        neighbour[fill[owner[f]]] = far[f];
         faceOf[fill[owner[f]]++] = f;
         if (f < nInternal_)
         {
+            neighbour[fill[far[f]]] = owner[f];
             faceOf[fill[far[f]]++] = f;
         }
     }

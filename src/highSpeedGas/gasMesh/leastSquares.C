@@ -80,34 +80,22 @@ void Foam::gasMesh::setLeastSquares(const boolList& excluded)
         }
     }
 
-    lsqOwner.assign(nFaces_*nDim_, 0);
-    lsqFar.assign(nFaces_*nDim_, 0);
-
-    std::vector<symmTensor> inverse(nCells_);
+    lsqVector.assign(faceOf.size()*nDim_, 0);
     for (label c = 0; c < nCells_; c++)
     {
-        inverse[c] = inv(moment[c]);
-    }
-
-    for (label f = 0; f < nFaces_; f++)
-    {
-        if (takesPart[f])
+        const symmTensor inverse(inv(moment[c]));
+        for (int i = cellStart[c]; i < cellStart[c + 1]; i++)
         {
-            const vector d(deltaOf(f));
-            const vector lo
-            (
-                (inverse[owner[f]] & d)*lsqWeight_[f]/magSqr(d)
-            );
-            const vector lf
-            (
-                f < nInternal_
-              ? (inverse[far[f]] & d)/magSqr(d)
-              : vector(Zero)
-            );
-            for (int k = 0; k < nDim_; k++)
+            const int f = faceOf[i];
+            if (takesPart[f])
             {
-                lsqOwner[f*nDim_ + k] = lo[k];
-                lsqFar[f*nDim_ + k] = lf[k];
+                const vector d(deltaOf(f));
+                vector l((inverse & d)/magSqr(d));
+                l *= owner[f] == c ? lsqWeight_[f] : -1;
+                for (int k = 0; k < nDim_; k++)
+                {
+                    lsqVector[i*nDim_ + k] = l[k];
+                }
             }
         }
     }
