@@ -5,19 +5,10 @@
 #include "surfaceImpactStatistics.H"
 #include "checked.H"
 #include "PstreamReduceOps.H"
+#include "coreVector.H"
 #include "impactMeasures.H"
 
 #include <algorithm>
-
-namespace
-{
-
-impact::vector3 core(const Foam::vector& v)
-{
-    return {v.x(), v.y(), v.z()};
-}
-
-} // End anonymous namespace
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -55,7 +46,7 @@ void Foam::surfaceImpactStatistics::setAngle()
         {
             refuse(*axis, entry, v, "any vector but zero");
         }
-        return core(v);
+        return toCore(v);
     };
     checked
     (
@@ -66,7 +57,7 @@ void Foam::surfaceImpactStatistics::setAngle()
             (
                 new impact::angularBins
                 (
-                    core
+                    toCore
                     (
                         getComponents
                         (
@@ -228,7 +219,7 @@ void Foam::surfaceImpactStatistics::setAreas()
                 polygon.clear();
                 for (const label pointi : f)
                 {
-                    polygon.push_back(core(mesh_.points()[pointi]));
+                    polygon.push_back(toCore(mesh_.points()[pointi]));
                 }
                 angle_->addArea(polygon, binned);
             }
@@ -475,8 +466,8 @@ void Foam::surfaceImpactStatistics::take
     const bool reboundKnown
 )
 {
-    const impact::vector3 v0 = core(i.U0 - i.Uw);
-    const impact::vector3 wall = core(i.n);
+    const impact::vector3 v0 = toCore(i.U0 - i.Uw);
+    const impact::vector3 wall = toCore(i.n);
     if (impact::dot(v0, wall) >= 0)
     {
         // Leaves the wall: the tracker's second meeting with the same face
@@ -487,7 +478,7 @@ void Foam::surfaceImpactStatistics::take
     pending p{-1, -1, -1, i.nParticle, -1};
     if (angle_)
     {
-        const impact::vector3 x = core(i.position);
+        const impact::vector3 x = toCore(i.position);
         const impact::vector3 radial = angle_->normal(x);
         const double side = impact::dot(radial, wall);
         n = side > 0 ? radial : side < 0 ? -radial : wall;
@@ -525,7 +516,7 @@ void Foam::surfaceImpactStatistics::take
         if (reboundKnown)
         {
             const impact::vector3 v1 =
-                i.captured ? impact::vector3{0, 0, 0} : core(i.U1 - i.Uw);
+                i.captured ? impact::vector3{0, 0, 0} : toCore(i.U1 - i.Uw);
             a[LOST_TRANSLATIONAL] =
                 impact::impactMeasures::translationalLoss(mass, v0, v1);
             a[LOST] = a[LOST_TRANSLATIONAL] + w

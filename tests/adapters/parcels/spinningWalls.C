@@ -96,12 +96,6 @@ public:
 };
 
 
-impact::vector3 core(const vector& v)
-{
-    return {v.x(), v.y(), v.z()};
-}
-
-
 //- Velocity and spin are those of the core; spin in terms of the rim's speed
 void expectState
 (
@@ -112,8 +106,8 @@ void expectState
     const scalar speed
 )
 {
-    EXPECT_LT(impact::mag(core(U) - s.V), 1e-12*speed);
-    EXPECT_LT(impact::mag(core(omega) - s.omega)*radius, 1e-12*speed);
+    EXPECT_LT(impact::mag(toCore(U) - s.V), 1e-12*speed);
+    EXPECT_LT(impact::mag(toCore(omega) - s.omega)*radius, 1e-12*speed);
 }
 
 } // End anonymous namespace
@@ -186,13 +180,13 @@ TEST_F(spinningCloudTest, theAdhesiveWallTurnsSpheresAsTheCoreSays)
                     const impact::adhesiveRebound::sphere one =
                         {2*radius, rho};
                     impact::sphereState s =
-                        {core(i.U0 - i.Uw), core(i.omega0)};
+                        {toCore(i.U0 - i.Uw), toCore(i.omega0)};
                     impact::sphereState s2;
                     const scalar speed = mag(i.U0) + mag(i.omega0)*radius;
                     const auto out =
                         covered
-                      ? law.rebound(core(i.n), one, s, one, s2)
-                      : law.rebound(core(i.n), one, s);
+                      ? law.rebound(toCore(i.n), one, s, one, s2)
+                      : law.rebound(toCore(i.n), one, s);
                     ASSERT_FALSE(out.captured);
                     ASSERT_EQ(out.detached, covered);
                     ++(out.slides ? sliding : sticking);

@@ -10,22 +10,12 @@ Description
 #include "basicKinematicCloud.H"
 #include "basicKinematicCollidingCloud.H"
 #include "basicKinematicMPPICCloud.H"
+#include "coreVector.H"
 #include "hardSphereWall.H"
 #include "nonSphericalRebound.H"
 #include "wallModelsTest.H"
 
 using namespace Foam;
-
-namespace
-{
-
-impact::vector3 core(const vector& v)
-{
-    return {v.x(), v.y(), v.z()};
-}
-
-} // End anonymous namespace
-
 
 class kinematicWallModels
 :
@@ -118,10 +108,10 @@ TEST_F(kinematicWallModels, publishWhatTheCoreSays)
     for (const wallImpact& i : impacts)
     {
         EXPECT_LT(mag(i.U0 - vector(1000, 200, 0)), 1e-12);
-        impact::sphereState s = {core(i.U0), core(i.omega0)};
-        law.rebound(core(i.n), 0.5*i.d, s);
-        EXPECT_LT(mag(core(i.U1) - s.V), 1e-14*1000);
-        EXPECT_LT(mag(core(i.omega1) - s.omega), 1e-14*mag(s.omega));
+        impact::sphereState s = {toCore(i.U0), toCore(i.omega0)};
+        law.rebound(toCore(i.n), 0.5*i.d, s);
+        EXPECT_LT(mag(toCore(i.U1) - s.V), 1e-14*1000);
+        EXPECT_LT(mag(toCore(i.omega1) - s.omega), 1e-14*mag(s.omega));
         EXPECT_GT(mag(s.omega), 1e6);
         const scalar inertia = 0.1*i.mass*sqr(i.d);
         EXPECT_NEAR
@@ -236,12 +226,12 @@ TEST_F(kinematicWallModels, keyDrawsOnTheImpact)
         }
         ++first;
         const impact::wallFrame frame =
-            impact::wallFrame::across(core(i.n), core(i.U0));
+            impact::wallFrame::across(toCore(i.n), toCore(i.U0));
         const scalar fraction =
             1 - (time_->value() - i.time)/time_->deltaTValue();
         const auto d = wall.depart
         (
-            frame.toWall(core(i.U0)), {0, 0, 0}, 2e-5,
+            frame.toWall(toCore(i.U0)), {0, 0, 0}, 2e-5,
             impact::impactKey::ofTime
             (
                 1, i.origProc, i.origId, 1,
