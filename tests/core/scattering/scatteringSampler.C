@@ -6,62 +6,12 @@ Description
     threads and processes, statistical errors, and extremes.
 \*---------------------------------------------------------------------------*/
 
-#include "roughKernels.H"
 #include "scatteringSamplerTest.H"
 
-#include <limits>
 #include <stdexcept>
 
 using namespace impact;
 using namespace samplerTest;
-
-namespace
-{
-
-//- Leave what is not a number on the stack, where the next call has its frame;
-//  to compare that with < is an invalid operation
-__attribute__((noinline)) void spoilStack()
-{
-    volatile double rubbish[1 << 15];
-    for (volatile double& r : rubbish)
-    {
-        r = std::numeric_limits<double>::quiet_NaN();
-    }
-}
-
-} // End anonymous namespace
-
-
-TEST(scatteringSampler, trapsNothingWhateverTheStackHolds)
-{
-    // Lanes of a vector that a branch leaves out hold what was on the stack
-    auto l = std::make_unique<roughLanes>();
-    for (int i = 0; i < roughBatch; ++i)
-    {
-        l->u[0][i] = l->v[1][i] = l->axisL[2][i] = 1;
-        l->least[i] = 1e-15;
-    }
-    for (auto shape : {roughBody::sphere, roughBody::spheroid, roughBody::box})
-    {
-        roughBody body{};
-        body.shape = shape;
-        body.a = body.b = body.c = body.radius = a;
-        body.Ja = body.Jc = 0.4*a*a;
-        for (bool wide : {false, true})
-        {
-            for (bool above : {false, true})
-            {
-                body.wide = wide;
-                std::fill_n(l->y, roughBatch, above ? 2*a : 0.5*a);
-                std::fill_n(l->gap, roughBatch, 0.);
-                spoilStack();
-                roughAdvance(roughBatch, body, *l);
-                EXPECT_DOUBLE_EQ(l->gap[3], above ? a : 0);
-            }
-        }
-    }
-}
-
 
 TEST(scatteringSampler, reboundsSpheresFromASmoothWallAtTheExactAngle)
 {

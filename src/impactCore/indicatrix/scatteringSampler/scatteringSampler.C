@@ -112,7 +112,6 @@ impact::scatteringSampler::scatteringSampler(const setup& s)
         {
             --perPiece_;
         }
-        setRoughBody();
     }
 }
 
@@ -262,11 +261,7 @@ void impact::scatteringSampler::sampleBlock
     scatteringStatistics& result
 ) const
 {
-    if (vectorRough_)
-    {
-        sampleRandomRelief(first, n, w, result);
-    }
-    else if (setup_.wall)
+    if (setup_.wall)
     {
         sampleRough(first, n, w, result);
     }

@@ -503,15 +503,14 @@ double impact::reliefPiece::firstReach
     double y,
     double Vx,
     double Vy,
-    double deep,
-    double wide,
+    double R,
     double t,
     std::int64_t& hint,
     bool& lost
 )
 {
     const double infinite = std::numeric_limits<double>::infinity();
-    const double bottom = y - deep;
+    const double bottom = y - R;
     const double top = relief_->top();
 
     // Above everything: straight down to the highest top there may be
@@ -528,7 +527,7 @@ double impact::reliefPiece::firstReach
     const int step = Vx < 0 ? -1 : 1;
     const double perX = Vx != 0 ? 1/Vx : 0;
     const double perY = Vy != 0 ? 1/Vy : 0;
-    std::int64_t n = find(Vx < 0 ? xs + wide : xs - wide, hint);
+    std::int64_t n = find(Vx < 0 ? xs + R : xs - R, hint);
     hint = n;
     double found = infinite;
     int count = 0;
@@ -545,7 +544,7 @@ double impact::reliefPiece::firstReach
             const int passed = intervalsPassed
             (
                 int(last_ - n), &x_[k + 1], &ceiling_[k],
-                bottom, Vy, perX, wide - x
+                bottom, Vy, perX, R - x
             );
             n += passed;
             count += passed;
@@ -556,20 +555,20 @@ double impact::reliefPiece::firstReach
     {
         const double x0 = knot(n), x1 = knot(n + 1);
 
-        // The rectangle is over this interval from 'enter' to 'leave'
+        // The square is over this interval from 'enter' to 'leave'
         double enter = start;
         double leave = infinite;
         if (Vx > 0)
         {
-            enter = std::max(start, (x0 - wide - x)*perX);
-            leave = (x1 + wide - x)*perX;
+            enter = std::max(start, (x0 - R - x)*perX);
+            leave = (x1 + R - x)*perX;
         }
         else if (Vx < 0)
         {
-            enter = std::max(start, (x1 + wide - x)*perX);
-            leave = (x0 - wide - x)*perX;
+            enter = std::max(start, (x1 + R - x)*perX);
+            leave = (x0 - R - x)*perX;
         }
-        else if (x0 > xs + wide)
+        else if (x0 > xs + R)
         {
             break;
         }
