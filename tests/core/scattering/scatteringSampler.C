@@ -8,10 +8,55 @@ Description
 
 #include "scatteringSamplerTest.H"
 
+#include <limits>
 #include <stdexcept>
 
 using namespace impact;
 using namespace samplerTest;
+
+namespace
+{
+
+//- Leave what is not a number on the stack, where the next call has its frame;
+//  to compare that with < is an invalid operation
+__attribute__((noinline)) void spoilStack()
+{
+    volatile double rubbish[1 << 15];
+    for (volatile double& r : rubbish)
+    {
+        r = std::numeric_limits<double>::quiet_NaN();
+    }
+}
+
+} // End anonymous namespace
+
+
+TEST(scatteringSampler, trapsNothingWhateverTheStackHolds)
+{
+    // Lanes of a vector that a branch leaves out hold what was on the stack
+    for (bool box : {false, true})
+    {
+        smoothBody body{};
+        body.box = box;
+        body.along = body.across = body.radius = a;
+        body.Ja = body.Jc = 0.4*a*a;
+        body.normal = 0.8;
+        for (double Vy : {-1., 0., 1.})
+        {
+            auto l = std::make_unique<smoothLanes>();
+            std::fill_n(l->ex[0], smoothRoom, 1.);
+            std::fill_n(l->ey[1], smoothRoom, 1.);
+            std::fill_n(l->V[1], smoothRoom, Vy);
+            spoilStack();
+            smoothImpact(smoothRoom, body, *l);
+            EXPECT_DOUBLE_EQ(l->approach[3], -Vy);
+            spoilStack();
+            smoothAdvance(smoothRoom, body, *l);
+            EXPECT_EQ(l->trials[3], 1);
+        }
+    }
+}
+
 
 TEST(scatteringSampler, reboundsSpheresFromASmoothWallAtTheExactAngle)
 {

@@ -21,11 +21,11 @@ const vector3 still = {0, 0, 0};
 
 const convexBody egg = convexBody::ellipsoid({1.4*a, a, a});
 const convexBody lens = convexBody::ellipsoid({0.3*a, a, a});
+const convexBody spindle = convexBody::ellipsoid({a, 0.15*a, 0.15*a});
 const convexBody brick = convexBody::box({a, 0.8*a, 0.8*a});
-const convexBody plate = convexBody::box({0.1*a, a, a});
-const convexBody needle = convexBody::box({0.1*a, 0.1*a, a});
+const convexBody plate = convexBody::box({a, a, 0.1*a});
+const convexBody needle = convexBody::box({0.1*a, a, 0.1*a});
 const convexBody cube = convexBody::box({a, a, a});
-const convexBody block = convexBody::box({a, 0.8*a, 0.6*a});
 
 struct variant
 {
@@ -33,58 +33,33 @@ struct variant
     double incidence;
     vector3 spin;
     visitTreatment treatment;
-    reboundLaw law;
+    double normal, tangential;
 };
 
 
-reboundLaw usual()
-{
-    return reboundLaw::restitution();
-}
-
-
-//- Coefficients of the local angle and speed
-reboundLaw localLaw()
-{
-    typedef reboundCoefficient form;
-    return reboundLaw::restitution
-    (
-        form::table
-        (
-            reboundLaw::normalQuantity(), {0, 20, 90}, {50, 200},
-            {0.95, 0.9, 0.8, 0.7, 0.5, 0.3}
-        ),
-        form::fit(reboundLaw::tangentialQuantity(), "GrantTabakoff")
-    );
-}
-
-
-std::vector<variant> onTheSmoothWall()
+std::vector<variant> variantsForTheKernels()
 {
     std::vector<variant> variants;
-    variants.push_back({brick, 15, still, untilExit, localLaw()});
     for
     (
-        const convexBody& body : {brick, cube, plate, needle, block, egg, lens}
+        const convexBody& body :
+        {brick, cube, plate, needle, egg, lens, spindle}
     )
     {
-        for (const auto treatment : {untilExit, once})
-        {
-            variants.push_back({body, 15, still, treatment, usual()});
-        }
-        variants.push_back({body, 45, {1e6, -2e6, 3e6}, untilExit, usual()});
+        variants.push_back({body, 15, still, untilExit, 0.8, 0});
+        variants.push_back({body, 15, still, once, 0.8, 0});
+        variants.push_back({body, 45, still, untilExit, 0.8, 0});
         if (body.isBox())
         {
-            variants.push_back({body, 2, still, untilExit, usual()});
+            variants.push_back({body, 2, still, untilExit, 0.8, 0});
         }
-        variants.push_back
-        (
-            {
-                body, 60, {0, 2e6, -1e6}, untilExit,
-                reboundLaw::restitution(0.5, 0.3)
-            }
-        );
+        variants.push_back({body, 60, still, untilExit, 0.5, 0.3});
+        variants.push_back({body, 57, still, untilExit, 0.7, 0.9});
     }
+    variants.push_back
+    (
+        {convexBody::sphere(a), 45, {1e6, -2e6, 3e6}, untilExit, 0.8, 0.2}
+    );
     return variants;
 }
 
@@ -95,7 +70,7 @@ void followsTheGeneralSearch(const variant& v)
     s.incidence = v.incidence;
     s.spin = v.spin;
     s.treatment = v.treatment;
-    s.law = v.law;
+    s.law = reboundLaw::restitution(v.normal, v.tangential);
     const int n = 8192;
     const scatteringStatistics r = run(s, n);
     const scatteringSampler sampler(s);
@@ -147,7 +122,7 @@ void followsTheGeneralSearch(const variant& v)
 TEST(scatteringSampler, followsManyBodiesAsTheGeneralSearchFollowsOne)
 {
     int number = 0;
-    for (const variant& v : onTheSmoothWall())
+    for (const variant& v : variantsForTheKernels())
     {
         SCOPED_TRACE(number++);
         followsTheGeneralSearch(v);

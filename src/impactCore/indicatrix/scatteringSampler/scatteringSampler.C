@@ -4,17 +4,19 @@
 
 #include "blockLoop.H"
 #include "outOfRange.H"
-#include "samplerWorkspace.H"
-#include "scatteringKernels.H"
 #include "philoxLanes.H"
+#include "scatteringKernels.H"
+#include "scatteringSampler.H"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
-#include <stdexcept>
 
 namespace
 {
+
+using impact::smoothLanes;
+
+typedef impact::scatteringStatistics S;
 
 //- Uniform numbers of one particle for one purpose
 struct draws
@@ -38,7 +40,108 @@ struct draws
     }
 };
 
+
+void copyLane(const smoothLanes& a, int i, smoothLanes& b, int j)
+{
+    const double* from = a.ex[0] + i;
+    double* to = b.ex[0] + j;
+    const int stride = sizeof(smoothLanes::lane)/sizeof(double);
+    for (int k = 0; k < int(sizeof(smoothLanes)/sizeof(double)); k += stride)
+    {
+        to[k] = from[k];
+    }
+}
+
 } // End anonymous namespace
+
+
+struct impact::scatteringSampler::workspace
+{
+    reliefPiece piece;
+    std::int64_t pieceIdentity = -1;
+
+    //- Velocities after the last impact, by particle of the block
+    double Vx[blockSize], Vy[blockSize], Vz[blockSize];
+    double spinEnergy[blockSize];
+    unsigned char profileBlock[blockSize];
+
+    smoothLanes flying = {}, striking = {};
+
+    workspace(const relief& r, std::uint64_t seed)
+    :
+        piece(r, seed)
+    {
+        // Vectors reach beyond the last lane: bodies there, too
+        for (smoothLanes* lanes : {&flying, &striking})
+        {
+            std::fill_n(lanes->ey[0], smoothRoom + 8, 1.);
+        }
+    }
+
+    //- A whole visit
+    void record
+    (
+        int particle,
+        const visitResult& r,
+        const convexBody& body,
+        scatteringStatistics& result
+    )
+    {
+        const vector3& spin = r.state.rotation.omega;
+        Vx[particle] = r.state.V.x;
+        Vy[particle] = r.state.V.y;
+        Vz[particle] = r.state.V.z;
+        spinEnergy[particle] = dot(multiply(body.inertia(), spin), spin);
+        result.add(S::impacts, r.impacts);
+        result.add(S::microImpacts, r.microImpacts);
+        result.add(S::pulling, r.pulling);
+        result.add(S::gaining, r.gaining);
+        result.add(S::outside, r.outside);
+        result.add(S::capped, r.capped);
+    }
+};
+
+
+void impact::scatteringSampler::setSmoothBody()
+{
+    const setup& s = setup_;
+    const convexBody& body = s.body;
+    smoothBody& b = smooth_;
+    b.box = body.isBox();
+    b.axis = std::max(body.symmetryAxis(), 0) % 3;
+    b.along = body.semiAxes()[b.axis];
+    b.across = body.semiAxes()[(b.axis + 1) % 3];
+    b.Ja = body.inertia()[b.axis];
+    b.Jc = body.inertia()[(b.axis + 1) % 3];
+    b.radius = body.radius();
+
+    // The support h(m) of the body along the turning normal m has
+    // h'' = rho |m'|^2 - h |m'|^2 + r_t m''_t, rho between its radii of
+    // curvature, r_t the offset of the contact point from the normal
+    const double a = b.along, c = b.across, R = b.radius;
+    const double least = std::min(a, c), longest = std::max(a, c);
+    const double skewed =
+        (b.box ? R : R - least)*freeRotation::skewness(body);
+    b.bend = 1.0001*(R - body.leastCurvature() + skewed);
+    b.sink = 1.0001*(longest*longest/least - least + skewed);
+    b.normal = s.law.normal()(s.incidence, s.speed);
+    b.tangential = s.law.other()(s.incidence, s.speed);
+    for (int i = 0; i < 3; ++i)
+    {
+        b.V[i] = V1_[i];
+        b.spin[i] = s.spin[i];
+    }
+
+    // A body that turns as it arrives meets the wall in some orientations
+    // more often than in others, as often as its lowest point approaches fast:
+    // its flight down to the wall must be followed
+    manyAtOnce_ =
+        !s.wall && s.law.law() == reboundLaw::lawType::restitution
+     && s.law.isConstant()
+     && (mag(s.spin) == 0 || body.isSphere())
+     && body.symmetryAxis() >= 0
+     && (b.box || body.shape() == convexBody::shapeType::ellipsoid);
+}
 
 
 impact::scatteringSampler::scatteringSampler(const setup& s)
@@ -63,37 +166,7 @@ impact::scatteringSampler::scatteringSampler(const setup& s)
     }
     V1_ = {s.speed*cosine, -s.speed*sine, 0};
 
-    const convexBody& body = setup_.body;
-    smooth_.ellipsoid = body.shape() == convexBody::shapeType::ellipsoid;
-    for (int i = 0; i < 3; ++i)
-    {
-        smooth_.a[i] = body.semiAxes()[i];
-        smooth_.J[i] = body.inertia()[i];
-        for (const vector3& v : body.vertices())
-        {
-            vertices_.push_back(v[i]);
-        }
-    }
-    smooth_.axis = body.symmetryAxis();
-    smooth_.radius = body.radius();
-
-    // The support h(m) of the body along the turning normal m has
-    // h'' >= -(h - rho) |m'|^2 - |r_t| |m''_t|: rho the least radius of
-    // curvature, r_t the offset of the contact point from the normal
-    const double R = body.radius();
-    const vector3& semi = body.semiAxes();
-    const double least = std::min({semi.x, semi.y, semi.z});
-    const double rho = body.leastCurvature();
-    smooth_.offset = smooth_.ellipsoid ? R - least : R;
-    smooth_.bend = 1.0001
-       *(R - rho + smooth_.offset*freeRotation::skewness(body));
-    smooth_.nVertices = int(body.vertices().size());
-    const bool simple = smooth_.ellipsoid || body.isBox();
-    smooth_.vertices = simple ? nullptr : vertices_.data();
-    smooth_.normal = s.law.normal()(s.incidence, s.speed);
-    smooth_.tangential = s.law.other()(s.incidence, s.speed);
-    vectorFlights_ = simple && body.symmetryAxis() >= 0;
-
+    setSmoothBody();
     if (setup_.wall && setup_.wall->type() == relief::reliefType::rough)
     {
         // The descent from the highest crest to somewhat below the mean
@@ -114,10 +187,6 @@ impact::scatteringSampler::scatteringSampler(const setup& s)
         }
     }
 }
-
-
-impact::scatteringSampler::~scatteringSampler()
-{}
 
 
 impact::scatteringStatistics
@@ -216,7 +285,7 @@ std::vector<impact::visitResult> impact::scatteringSampler::visits
 }
 
 
-void impact::scatteringSampler::sampleRough
+void impact::scatteringSampler::sampleOneByOne
 (
     std::int64_t first,
     int n,
@@ -224,22 +293,15 @@ void impact::scatteringSampler::sampleRough
     scatteringStatistics& result
 ) const
 {
-    const vector3& J = setup_.body.inertia();
-    visitCounts total;
     for (int i = 0; i < n; ++i)
     {
         std::int64_t hint = 0;
         const bodyState b =
             arrival(first + i, w.piece, w.pieceIdentity, hint);
         const visitResult r = visit_.visit(b, w.piece, hint);
-        w.Vx[i] = r.state.V.x;
-        w.Vy[i] = r.state.V.y;
-        w.Vz[i] = r.state.V.z;
-        const vector3& spin = r.state.rotation.omega;
-        w.spinEnergy[i] = dot(multiply(J, spin), spin);
-        total.addImpacts(r);
-        total.into += r.intoWall;
-        total.second += r.second;
+        w.record(i, r, setup_.body, result);
+        result.add(S::intoWall, r.intoWall);
+        result.add(S::secondImpact, r.second);
         if (setup_.wall && setup_.sharedRelief)
         {
             w.profileBlock[i] = static_cast<unsigned char>
@@ -249,7 +311,101 @@ void impact::scatteringSampler::sampleRough
             );
         }
     }
-    total.addTo(result);
+}
+
+
+void impact::scatteringSampler::account
+(
+    int i,
+    workspace& w,
+    scatteringStatistics& result
+) const
+{
+    smoothLanes& l = w.striking;
+    const int particle = int(l.particle[i]);
+    const double approach = l.approach[i], small = 1e-3*setup_.speed;
+    result.add(S::impacts, approach > small);
+    result.add(S::microImpacts, approach > 0 && approach <= small);
+    result.add(S::pulling, l.pulling[i] > 0);
+    result.add(S::gaining, l.gaining[i] > 0);
+    result.add(S::intoWall, l.impacts[i] == 0 && l.V[1][i] <= 0);
+    result.add(S::secondImpact, l.impacts[i] == 1 && approach > 0);
+    l.impacts[i] += 1;
+    w.Vx[particle] = l.V[0][i];
+    w.Vy[particle] = l.V[1][i];
+    w.Vz[particle] = l.V[2][i];
+    w.spinEnergy[particle] = l.spinEnergy[i];
+}
+
+
+void impact::scatteringSampler::sampleSmooth
+(
+    std::int64_t first,
+    int n,
+    workspace& w,
+    scatteringStatistics& result
+) const
+{
+    const bool once = setup_.treatment == visitTreatment::firstImpact;
+    const int most = once ? 1 : setup_.maxImpacts;
+    const bool isotropic = setup_.orientation == orientationLaw::isotropic;
+    auto wholeVectors = [](int k) { return (k + 7) & ~7; };
+    smoothLanes& flying = w.flying;
+    smoothLanes& striking = w.striking;
+    int inFlight = 0;
+    for (int arrived = 0; arrived < n || inFlight > 0; )
+    {
+        // Impacts to come: of those that arrive, as soon as there is room for
+        // them, or of those whose flight has ended
+        int m = 0;
+        if (arrived < n && inFlight <= smoothRoom - smoothBatch)
+        {
+            m = std::min(smoothBatch, n - arrived);
+            smoothArrive
+                (isotropic, setup_.seed, first + arrived, m, smooth_, striking);
+            for (int i = 0; i < m; ++i)
+            {
+                striking.particle[i] = arrived++;
+            }
+        }
+        else
+        {
+            smoothAdvance(wholeVectors(inFlight), smooth_, flying);
+
+            // Backwards: the last one comes into the place of one that ended
+            for (int i = inFlight - 1; i >= 0; --i)
+            {
+                const double status = flying.status[i];
+                if (status == smoothStatus::flies)
+                {
+                    continue;
+                }
+                const bool strikes = status == smoothStatus::strikes;
+                if (strikes && flying.impacts[i] < most)
+                {
+                    copyLane(flying, i, striking, m++);
+                }
+                else if (strikes && once)
+                {
+                    result.add(S::secondImpact, 1);
+                }
+                else if (status != smoothStatus::gone)
+                {
+                    result.add(S::capped, 1);
+                }
+                copyLane(flying, --inFlight, flying, i);
+            }
+        }
+        smoothImpact(wholeVectors(m), smooth_, striking);
+        for (int i = 0; i < m; ++i)
+        {
+            account(i, w, result);
+            if (striking.status[i] == smoothStatus::flies)
+            {
+                copyLane(striking, i, flying, inFlight++);
+            }
+        }
+    }
 }
 
 
@@ -261,14 +417,8 @@ void impact::scatteringSampler::sampleBlock
     scatteringStatistics& result
 ) const
 {
-    if (setup_.wall)
-    {
-        sampleRough(first, n, w, result);
-    }
-    else
-    {
-        sampleSmooth(first, n, w, result);
-    }
+    manyAtOnce_ ? sampleSmooth(first, n, w, result)
+      : sampleOneByOne(first, n, w, result);
     double translation = 0, rotation = 0;
     for (const double* component : {w.Vx, w.Vy, w.Vz})
     {

@@ -4,12 +4,228 @@
 
 #include "vectorTargets.H"
 
-#include "smoothInline.H"
+#include "orientation.H"
+#include "philoxLanes.H"
+#include "reboundLaw.H"
+#include "searchStep.H"
+#include "smoothKernels.H"
 
 namespace
 {
 
 using namespace impact;
+
+//- Trials after which a flight is given up
+constexpr double manyTrials = 10000;
+
+
+impactInline vector3 get(const smoothLanes::lane* l, int i)
+{
+    return {l[0][i], l[1][i], l[2][i]};
+}
+
+
+impactInline void put(smoothLanes::lane* l, int i, const vector3& v)
+{
+    l[0][i] = v.x;
+    l[1][i] = v.y;
+    l[2][i] = v.z;
+}
+
+
+//- Lowest point of the body from its centre, and its distance below; m is the
+//  laboratory axis y
+template<bool box>
+impactInline double lowest(const smoothBody& b, const vector3& m, vector3& r)
+{
+    const double along = b.along, across = b.across;
+    if (box)
+    {
+        r.x = m.x > 0 ? -along : along;
+        r.y = m.y > 0 ? -across : across;
+        r.z = m.z > 0 ? -across : across;
+        return -dot(r, m);
+    }
+    const vector3 s = {along*m.x, across*m.y, across*m.z};
+    const double h = mag(s);
+    const double f = -1/h;
+    r = {f*along*s.x, f*across*s.y, f*across*s.z};
+    return h;
+}
+
+
+//- Rotation from the start of a flight
+struct turning
+{
+    vector3 axis;
+    double s, c, sAxis, cAxis;
+
+    impactInline turning(const smoothLanes& l, int i, double t)
+    :
+        axis(get(l.axisL, i))
+    {
+        sinCos(-l.rateL[i]*t, s, c);
+        sinCos(-l.rateAxis[i]*t, sAxis, cAxis);
+    }
+
+    impactInline vector3 aboutAxis(const vector3& v) const
+    {
+        return {v.x, cAxis*v.y - sAxis*v.z, sAxis*v.y + cAxis*v.z};
+    }
+
+    //- What is fixed in the laboratory
+    impactInline vector3 of(const vector3& v) const
+    {
+        return aboutAxis
+            (c*v + s*cross(axis, v) + ((1 - c)*dot(axis, v))*axis);
+    }
+};
+
+
+//- Begin a flight from the wall with the angular velocity w, after an impact
+//  from which the contact point rises
+template<bool box>
+impactInline void begin
+(
+    const smoothBody& b,
+    const vector3& V,
+    const vector3& w,
+    double h,
+    double rise,
+    smoothLanes& l,
+    int i
+)
+{
+    const double R = b.radius;
+    const double ratio = 1 - b.Ja/b.Jc;
+    const vector3 L = {b.Ja*w.x, b.Jc*w.y, b.Jc*w.z};
+    const double magL = mag(L);
+    const double w2 = dot(w, w);
+    const double fastest =
+        std::sqrt(V.x*V.x + V.y*V.y) + std::sqrt(w2)*R + 1e-100;
+    const double reach = boundedReach(b.bend*w2, 0, fastest, R, 0, 0);
+    const double least = leastWay*R/fastest;
+    put(l.axisL, i, (1/nonZero(magL))*L);
+    l.rateL[i] = magL/b.Jc;
+    l.rateAxis[i] = ratio*w.x;
+    l.y[i] = h;
+    l.t[i] = 0;
+    l.gap[i] = 0;
+    l.reach[i] = reach;
+    l.least[i] = least;
+    l.trials[i] = 0;
+
+    // Rises faster than any point can sink? Or is out of reach after the time
+    // (R - h)/V.y, before which rise t - sink w^2 t^2/2 > 0 (of an ellipsoid:
+    // another corner of a box may be sinking already)
+    const bool fast = V.y*V.y > R*R*w2;
+    const bool high = (!box) & (2*rise*V.y >= b.sink*w2*(R - h));
+    l.status[i] = (V.y > 0) & (fast | high)
+      ? smoothStatus::gone : smoothStatus::flies;
+    const double first =
+        stepAhead(0, std::sqrt(allowedDepth*R), rise, reach);
+    l.tau[i] = larger(smaller(first, 8e10*least), least);
+}
+
+
+template<bool box>
+impactInline void strike
+(
+    int n,
+    const smoothBody& b,
+    smoothLanes& __restrict__ l
+)
+{
+    const vector3 J = {b.Ja, b.Jc, b.Jc};
+    for (int i = 0; i < n; ++i)
+    {
+        const turning to(l, i, l.t[i] + l.tau[i]);
+        const vector3 ex = to.of(get(l.ex, i));
+        const vector3 ey = to.of(get(l.ey, i));
+        const vector3 ez = cross(ex, ey);
+        const vector3 w = to.aboutAxis(get(l.w, i));
+        vector3 r;
+        const double h = lowest<box>(b, ey, r);
+        const vector3 V = l.V[0][i]*ex + l.V[1][i]*ey + l.V[2][i]*ez;
+        const impactRecord hit = restitutionImpact
+            (b.normal, b.tangential, J, r, ey, V, w);
+
+        // A corner that grazes at the shortest step may depart already
+        const double strikes = hit.approachSpeed > 0 ? 1. : 0.;
+        const vector3 V2 = V + strikes*hit.dV;
+        const vector3 w2 = w + strikes*hit.dOmega;
+        const vector3 out = {dot(V2, ex), dot(V2, ey), dot(V2, ez)};
+        const double rise =
+            larger(b.normal*hit.approachSpeed, -hit.approachSpeed);
+        l.approach[i] = hit.approachSpeed;
+        l.pulling[i] = hit.pulling ? strikes : 0;
+        l.gaining[i] = hit.gainsEnergy() ? strikes : 0;
+        l.spinEnergy[i] = dot(multiply(J, w2), w2);
+        put(l.ex, i, ex);
+        put(l.ey, i, ey);
+        put(l.w, i, w2);
+        put(l.V, i, out);
+        begin<box>(b, out, w2, h, rise, l, i);
+    }
+}
+
+
+template<bool box>
+impactInline void advance
+(
+    int n,
+    const smoothBody& b,
+    smoothLanes& __restrict__ l
+)
+{
+    const double R = b.radius;
+    const double tolerance = contactTolerance*R;
+    const double allowed = allowedDepth*R;
+    for (int i = 0; i < n; ++i)
+    {
+        const double tau = l.tau[i];
+        const double t1 = l.t[i] + tau;
+        const double Vy = l.V[1][i];
+        const turning to(l, i, t1);
+        const vector3 m = to.of(get(l.ey, i));
+        const vector3 w = to.aboutAxis(get(l.w, i));
+        vector3 r;
+        const double h = lowest<box>(b, m, r);
+        const double y1 = l.y[i] + Vy*t1;
+        const double g0 = l.gap[i];
+        const double g1 = y1 - h;
+        const double rate1 = Vy + dot(m, cross(w, r));
+
+        // See searchStep
+        const double reach = l.reach[i];
+        const double least = l.least[i];
+        const double root0 = std::sqrt(g0 + allowed);
+        const double above = positivePart(g1);
+        const double root1 = std::sqrt(above + allowed);
+        const bool pierced = pierces(g1, tolerance);
+        const bool clear = isClear(pierced, root0, root1, reach, tau, least);
+        const bool touches = clear & isContact(g1, rate1, tolerance);
+        const bool strikes = touches | (pierced & (tau <= least));
+        const bool gone = clear & (Vy > 0) & (y1 > R);
+        const bool moves = clear & !touches;
+
+        const double back =
+            stepBack(tau, g0, g1, root0, rate1, reach, 1e-30*R);
+        const double shorter = stepShorter(tau, root0, root1, reach);
+        const double longer = stepAhead(above, root1, rate1, reach);
+        const double next = pierced ? back : moves ? longer : shorter;
+        const double trials = l.trials[i] + 1;
+        const double wish = gone ? smoothStatus::gone
+          : trials > manyTrials ? smoothStatus::lost : smoothStatus::flies;
+        l.status[i] = strikes ? smoothStatus::strikes : wish;
+        l.trials[i] = trials;
+        l.t[i] = moves ? t1 : l.t[i];
+        l.gap[i] = moves ? above : g0;
+        l.tau[i] =
+            strikes ? tau : larger(smaller(next, 8e10*least), least);
+    }
+}
+
 
 template<orientationLaw law>
 impactInline void arrive
@@ -17,13 +233,24 @@ impactInline void arrive
     std::uint64_t seed,
     std::int64_t first,
     int n,
-    const double* V,
-    const double* spin,
+    const smoothBody& b,
     smoothLanes& __restrict__ l
 )
 {
-    const double V0 = V[0], V1 = V[1], V2 = V[2];
-    const double s0 = spin[0], s1 = spin[1], s2 = spin[2];
+    const vector3 spin = {b.spin[0], b.spin[1], b.spin[2]};
+    const double V0 = b.V[0], V1 = b.V[1], V2 = b.V[2];
+
+    // From axes x, y, z to those along and across the axis of symmetry
+    const double f0 = b.axis == 0, f1 = b.axis == 1, f2 = b.axis == 2;
+    auto ownAxes = [&](const vector3& v) __attribute__((always_inline))
+    {
+        return vector3
+        {
+            f0*v.x + f1*v.y + f2*v.z,
+            f0*v.y + f1*v.z + f2*v.x,
+            f0*v.z + f1*v.x + f2*v.y
+        };
+    };
     for (int i = 0; i < n; ++i)
     {
         std::uint64_t w0, w1, w2, w3;
@@ -36,149 +263,17 @@ impactInline void arrive
         threeUnits(w0, w1, w2, w3, u0, u1, u2);
         vector3 ex, ey;
         orient<law>(u0, u1, u2, ex, ey);
-        put(ex, l.ex, i);
-        put(ey, l.ey, i);
-        const vector3 ez = cross(ex, ey);
-        l.w[0][i] = s0*ex.x + s1*ey.x + s2*ez.x;
-        l.w[1][i] = s0*ex.y + s1*ey.y + s2*ez.y;
-        l.w[2][i] = s0*ex.z + s1*ey.z + s2*ez.z;
+        ex = ownAxes(ex);
+        ey = ownAxes(ey);
+        put(l.ex, i, ex);
+        put(l.ey, i, ey);
+        put(l.w, i, spin.x*ex + spin.y*ey + spin.z*cross(ex, ey));
         l.V[0][i] = V0;
         l.V[1][i] = V1;
         l.V[2][i] = V2;
-        l.contacts[i] = 0;
-    }
-}
-
-
-//- Contact points of the lanes
-template<bool ellipsoid>
-impactInline void touch(int n, const smoothBody& b, smoothLanes& __restrict__ l)
-{
-    const double a0 = b.a[0], a1 = b.a[1], a2 = b.a[2];
-    for (int i = 0; i < n; ++i)
-    {
-        l.y[i] = lowest
-        (
-            ellipsoid, a0, a1, a2, l.ey[0][i], l.ey[1][i], l.ey[2][i],
-            l.r[0][i], l.r[1][i], l.r[2][i]
-        );
-    }
-}
-
-
-impactInline void touchVertices
-(
-    int n,
-    const smoothBody& b,
-    smoothLanes& __restrict__ l
-)
-{
-    const double* __restrict__ x = b.vertices;
-    const double* __restrict__ y = x + b.nVertices;
-    const double* __restrict__ z = y + b.nVertices;
-    const int m = b.nVertices;
-    for (int i = 0; i < n; ++i)
-    {
-        const double ex = l.ey[0][i], ey = l.ey[1][i], ez = l.ey[2][i];
-        double low = 1e300, rx = 0, ry = 0, rz = 0;
-        for (int k = 0; k < m; ++k)
-        {
-            const double h = ex*x[k] + ey*y[k] + ez*z[k];
-            const bool lower = h < low;
-            low = lower ? h : low;
-            rx = lower ? x[k] : rx;
-            ry = lower ? y[k] : ry;
-            rz = lower ? z[k] : rz;
-        }
-        l.r[0][i] = rx;
-        l.r[1][i] = ry;
-        l.r[2][i] = rz;
-        l.y[i] = -low;
-    }
-}
-
-
-impactInline void touchAny(int n, const smoothBody& b, smoothLanes& l)
-{
-    if (b.ellipsoid)
-    {
-        touch<true>(n, b, l);
-    }
-    else if (!b.vertices)
-    {
-        touch<false>(n, b, l);
-    }
-    else
-    {
-        touchVertices(n, b, l);
-    }
-}
-
-
-//- Change of the angular velocity of a body with the moments J per unit mass,
-//  when the velocity of its point r changes by dVc: spinChange() of
-//  reboundLaw.H, all over the product of the three pivots, which takes two
-//  divisions instead of four
-impactInline vector3 spinJump
-(
-    const vector3& J,
-    const vector3& r,
-    const vector3& dVc
-)
-{
-    const double r2 = dot(r, r);
-    const double dx = J.x + r2, dy = J.y + r2, dz = J.z + r2;
-    const double px = dy*dz, py = dz*dx, pz = dx*dy;
-    const double inverse = 1/(dx*px);
-    const vector3 m = cross(r, dVc);
-    const vector3 q = {px*m.x, py*m.y, pz*m.z};
-    const vector3 d = {px*r.x, py*r.y, pz*r.z};
-    const double rest = J.x*r.x*d.x + J.y*r.y*d.y + J.z*r.z*d.z;
-    const double f = dot(r, q)*r2/rest;
-    return
-    {
-        inverse*(q.x + f*d.x),
-        inverse*(q.y + f*d.y),
-        inverse*(q.z + f*d.z)
-    };
-}
-
-
-template<bool ellipsoid, bool box>
-impactInline void cull
-(
-    int n,
-    const smoothBody& b,
-    bool decide,
-    smoothLanes& __restrict__ l
-)
-{
-    const int ifSinks = decide ? 0 : 1;
-    const double R = b.radius;
-    const double offset = b.offset;
-    const double bend = b.bend;
-    const vector3 a = {b.a[0], b.a[1], b.a[2]};
-    const double bounce = ellipsoid ? b.normal : 0;
-    for (int i = 0; i < n; ++i)
-    {
-        const vector3 w = at(l.w, i);
-        const vector3 m = at(l.ey, i);
-        const double w2 = dot(w, w);
-        const double Vy = l.V[1][i];
-        const double y = l.y[i];
-
-        // Rises faster than any lowest point can sink; or is out of reach
-        // after the time (R - y)/Vy, before which rise t - bend w^2 t^2/2 > 0
-        // (of an ellipsoid: another corner of a polyhedron may be sinking
-        // already)
-        const double rise = bounce*l.approach[i];
-        const double needed = bend*w2*(R - y);
-        const bool gone = box
-          ? boxLeaves(a, R, bend, 1e-9, y, Vy, w, m)
-          : (Vy > 0)
-          & ((Vy*Vy >= offset*offset*w2) | (2*rise*Vy >= needed));
-        const int stays = gone ? 0 : 1;
-        l.mayReturn[i] = Vy > 0 ? stays : ifSinks;
+        l.t[i] = l.tau[i] = 0;
+        l.rateL[i] = l.rateAxis[i] = 0;
+        l.impacts[i] = 0;
     }
 }
 
@@ -194,136 +289,25 @@ impactKernel void smoothArrive
     std::uint64_t seed,
     std::int64_t first,
     int n,
-    const double V[3],
-    const double spin[3],
     const smoothBody& b,
     smoothLanes& l
 )
 {
-    if (isotropic)
-    {
-        arrive<orientationLaw::isotropic>(seed, first, n, V, spin, l);
-    }
-    else
-    {
-        arrive<orientationLaw::uniformEuler>(seed, first, n, V, spin, l);
-    }
-    touchAny(n, b, l);
+    isotropic
+  ? arrive<orientationLaw::isotropic>(seed, first, n, b, l)
+  : arrive<orientationLaw::uniformEuler>(seed, first, n, b, l);
 }
 
 
-impactKernel void smoothImpact
-(
-    int n,
-    const smoothBody& b,
-    smoothLanes& __restrict__ l
-)
+impactKernel void smoothImpact(int n, const smoothBody& b, smoothLanes& l)
 {
-    const double J0 = b.J[0], J1 = b.J[1], J2 = b.J[2];
-    const double tangent = b.tangential - 1;
-    const double bounce = b.normal + b.tangential;
-    for (int i = 0; i < n; ++i)
-    {
-        const vector3 ex = at(l.ex, i);
-        const vector3 n_ = at(l.ey, i);
-        const vector3 ez = cross(ex, n_);
-        const vector3 w = at(l.w, i);
-        const vector3 r = at(l.r, i);
-        const vector3 V =
-            l.V[0][i]*ex + l.V[1][i]*n_ + l.V[2][i]*ez;
-
-        const vector3 Vc = V + cross(w, r);
-        const double vn = dot(Vc, n_);
-        const vector3 dVc = tangent*Vc - (bounce*vn)*n_;
-
-        const vector3 dw = spinJump({J0, J1, J2}, r, dVc);
-        const vector3 dV = dVc - cross(dw, r);
-
-        // Work of the impulse at the mean velocity of its point
-        const double change = dot(Vc + 0.5*dVc, dV);
-        const double before = 0.5
-           *(dot(V, V) + J0*w.x*w.x + J1*w.y*w.y + J2*w.z*w.z);
-        l.approach[i] = -vn;
-        l.contacts[i] += 1;
-        l.pulling[i] = dot(dV, n_) < 0 ? 1. : 0.;
-        l.gaining[i] = change > 1e-12*before ? 1. : 0.;
-
-        const vector3 V2 = V + dV;
-        l.V[0][i] = dot(V2, ex);
-        l.V[1][i] = dot(V2, n_);
-        l.V[2][i] = dot(V2, ez);
-        const vector3 w2 = w + dw;
-        put(w2, l.w, i);
-    }
+    b.box ? strike<true>(n, b, l) : strike<false>(n, b, l);
 }
 
 
-impactKernel void smoothRecord
-(
-    int from,
-    int n,
-    const smoothBody& b,
-    const smoothLanes& __restrict__ l,
-    int to,
-    const smoothResults& results
-)
+impactKernel void smoothAdvance(int n, const smoothBody& b, smoothLanes& l)
 {
-    const double J0 = b.J[0], J1 = b.J[1], J2 = b.J[2];
-    double* __restrict__ Vx = results.V[0] + to;
-    double* __restrict__ Vy = results.V[1] + to;
-    double* __restrict__ Vz = results.V[2] + to;
-    double* __restrict__ spinEnergy = results.spinEnergy + to;
-    for (int i = 0; i < n; ++i)
-    {
-        const vector3 w = at(l.w, from + i);
-        Vx[i] = l.V[0][from + i];
-        Vy[i] = l.V[1][from + i];
-        Vz[i] = l.V[2][from + i];
-        spinEnergy[i] = J0*w.x*w.x + J1*w.y*w.y + J2*w.z*w.z;
-    }
-}
-
-
-impactKernel void smoothTally
-(
-    int n,
-    double small,
-    const smoothLanes& __restrict__ l,
-    int* counts
-)
-{
-    int large = 0, pulling = 0, gaining = 0, into = 0;
-    for (int i = 0; i < n; ++i)
-    {
-        large += l.approach[i] > small ? 1 : 0;
-        pulling += l.pulling[i] > 0 ? 1 : 0;
-        gaining += l.gaining[i] > 0 ? 1 : 0;
-        into += l.V[1][i] <= 0 ? 1 : 0;
-    }
-    counts[0] = large;
-    counts[1] = pulling;
-    counts[2] = gaining;
-    counts[3] = into;
-}
-
-
-impactKernel void smoothCull
-(
-    int n,
-    const smoothBody& b,
-    bool decide,
-    smoothLanes& l
-)
-{
-    b.ellipsoid ? cull<true, false>(n, b, decide, l)
-      : b.vertices ? cull<false, false>(n, b, decide, l)
-      : cull<false, true>(n, b, decide, l);
-}
-
-
-impactKernel void smoothTouch(int n, const smoothBody& b, smoothLanes& l)
-{
-    touchAny(n, b, l);
+    b.box ? advance<true>(n, b, l) : advance<false>(n, b, l);
 }
 
 } // End namespace impact

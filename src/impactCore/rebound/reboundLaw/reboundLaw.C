@@ -163,34 +163,24 @@ impact::impactRecord impact::reboundLaw::impact
 ) const
 {
     const vector3 Vc = V + cross(omega, r);
-    const double vn = dot(Vc, n);
-
     const impactPoint at =
         isConstant() ? impactPoint() : impactPoint(Vc, n);
     const double normal = normal_(at);
     const double other = other_(at);
 
     impactRecord out;
-    out.outside = normal_.outside(at) || other_.outside(at);
     if (law_ == lawType::restitution)
     {
-        const vector3 dVc = (other - 1)*Vc - ((normal + other)*vn)*n;
-        out.dOmega = spinChange(inertia, r, dVc);
-        out.dV = dVc - cross(out.dOmega, r);
+        out = restitutionImpact(normal, other, inertia, r, n, V, omega);
     }
     else
     {
+        out.approachSpeed = -dot(Vc, n);
         out.dV = frictionImpulse(normal, other, inertia, r, n, Vc);
         const vector3 m = cross(r, out.dV);
         out.dOmega = {m.x/inertia.x, m.y/inertia.y, m.z/inertia.z};
+        setEnergies(inertia, n, V, omega, out);
     }
-    out.approachSpeed = -vn;
-    const vector3 spin = multiply(inertia, omega);
-    const vector3 dSpin = multiply(inertia, out.dOmega);
-    out.energyBefore = 0.5*(dot(V, V) + dot(omega, spin));
-    out.energyChange =
-        dot(V, out.dV) + 0.5*dot(out.dV, out.dV)
-      + dot(omega, dSpin) + 0.5*dot(out.dOmega, dSpin);
-    out.pulling = dot(out.dV, n) < 0;
+    out.outside = normal_.outside(at) || other_.outside(at);
     return out;
 }

@@ -41,8 +41,7 @@ impact::visitResult impact::wallVisit::visitWith
 (
     bodyState state,
     reliefPiece& piece,
-    std::int64_t hint,
-    int impacts
+    std::int64_t hint
 ) const
 {
     visitResult out = {};
@@ -51,10 +50,10 @@ impact::visitResult impact::wallVisit::visitWith
     const vector3& spin = state.rotation.omega;
     out.energyOnArrival =
         0.5*(dot(state.V, state.V) + dot(multiply(J, spin), spin));
-    bool touching = impacts > 0;
+    bool touching = false;
     bool lost = false;
     double departure = 0;
-    for (;;)
+    for (int impacts = 0; ; ++impacts)
     {
         freeRotation rotation(*body_, state.rotation);
         const contactPoint c =
@@ -115,7 +114,6 @@ impact::visitResult impact::wallVisit::visitWith
             out.gaining += record.gainsEnergy();
             out.outside += record.outside;
         }
-        ++impacts;
         const vector3 Vn =
             state.V.x*at.ex + state.V.y*at.ey + state.V.z*ez;
         departure =
@@ -145,22 +143,10 @@ impact::visitResult impact::wallVisit::visit
     std::int64_t hint
 ) const
 {
-    return resume(state, 0, piece, hint);
-}
-
-
-impact::visitResult impact::wallVisit::resume
-(
-    const bodyState& state,
-    int impacts,
-    reliefPiece& piece,
-    std::int64_t hint
-) const
-{
     return withShadow(piece.model(), [&](auto shadow)
     {
         typedef typename decltype(shadow)::type Shadow;
-        return visitWith<Shadow>(state, piece, hint, impacts);
+        return visitWith<Shadow>(state, piece, hint);
     });
 }
 
