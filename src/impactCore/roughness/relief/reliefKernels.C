@@ -8,7 +8,6 @@
 #include "elementary.H"
 #include "philoxLanes.H"
 
-#include <algorithm>
 #include <cmath>
 
 namespace impact
@@ -66,12 +65,12 @@ impactKernel void splineMoments
 {
     // Continuity of the slope at knot k, h the spacings either side:
     //   h0 m- + 2(h0 + h1) m + h1 m+ = 6((y+ - y)/h1 - (y - y-)/h0)
-    // Thomas elimination over eight parts at once, each with the guard knots
-    // of its neighbours either side: the recurrence becomes vector code
-    const int lanes = 8;
-    const int guard = reliefPiece::guard;
+    // Spacings in units of one of them
     double* __restrict__ slope = work;
-    double* __restrict__ ratio = work + n;
+    double* __restrict__ h = work + n;
+    double* __restrict__ diagonal = work + 2*n;
+    double* __restrict__ right = work + 3*n;
+    double* __restrict__ ratio = work + 4*n;
     auto slopeOf = [&](int k)
     {
         return (height[k] - height[k - 1])/spacing[k];
@@ -82,180 +81,46 @@ impactKernel void splineMoments
     }
     slope[1] = spacing[1] > 0 ? slopeOf(1) : height[0];
     slope[n - 1] = spacing[n - 1] > 0 ? slopeOf(n - 1) : height[n - 1];
-    moment[0] = moment[n - 1] = 0;
-    ratio[0] = ratio[n - 1] = 0;
-
-    const int part = (n + lanes - 1)/lanes;
-    if (part < 2*guard)
+    const double unit = 1/spacing[2];
+    for (int k = 1; k < n; ++k)
     {
-        // From both ends at once to the middle. The pivots are ratios of the
-        // determinants of ever more equations, and so are the right sides:
-        // no division waits for another. Spacings in units of one of them
-        const int left = (n - 2)/2;
-        double* __restrict__ h = work + 2*n;
-        double* __restrict__ diagonal = work + 3*n;
-        double* __restrict__ right = work + 4*n;
-        const double unit = 1/spacing[2];
-        for (int k = 1; k < n; ++k)
-        {
-            h[k] = unit*spacing[k];
-        }
-        for (int k = 1; k < n - 1; ++k)
-        {
-            diagonal[k] = 2*(h[k] + h[k + 1]);
-            right[k] = 6*unit*(slope[k + 1] - slope[k]);
-        }
-        struct determinants
-        {
-            double now = 1, before = 0, side = 0;
-
-            //- Another equation: h to the one before
-            void add
-            (
-                double h0,
-                double diagonal,
-                double right,
-                double& last,
-                double& next,
-                double& nextSide
-            )
-            {
-                const double another = diagonal*now - (h0*h0)*before;
-                side = right*now - h0*side;
-                before = now;
-                now = another;
-                last = before;
-                next = now;
-                nextSide = side;
-                if (!(now < 1e100 && now > 1e-100))
-                {
-                    before /= now;
-                    side /= now;
-                    now = 1;
-                }
-            }
-        };
-        determinants fromLeft, fromRight;
-        for (int k = 1; k <= left; ++k)
-        {
-            const int j = n - 1 - k;
-            fromLeft.add
-                (h[k], diagonal[k], right[k], ratio[k], slope[k], moment[k]);
-            fromRight.add
-            (
-                h[j + 1], diagonal[j], right[j], ratio[j], slope[j],
-                moment[j]
-            );
-        }
-        if (n - 2 > 2*left)
-        {
-            const int j = left + 1;
-            fromRight.add
-            (
-                h[j + 1], diagonal[j], right[j], ratio[j], slope[j],
-                moment[j]
-            );
-        }
-        for (int k = 1; k < n - 1; ++k)
-        {
-            const double inverse = 1/slope[k];
-            ratio[k] *= inverse;
-            moment[k] *= inverse;
-        }
-        for (int k = 1; k <= left; ++k)
-        {
-            ratio[k] *= h[k + 1];
-        }
-        for (int k = left + 1; k < n - 1; ++k)
-        {
-            ratio[k] *= h[k];
-        }
-        const double c = left > 0 ? ratio[left] : 0;
-        const double d = left > 0 ? moment[left] : 0;
-        const double e = n > 2 ? ratio[left + 1] : 0;
-        const double f = n > 2 ? moment[left + 1] : 0;
-        double below = (d - c*f)/(1 - c*e);
-        moment[left] = left > 0 ? below : 0;
-        double above = f - e*moment[left];
-        if (n > 2)
-        {
-            moment[left + 1] = above;
-        }
-        for (int k = 1; k < n - 2 - left; ++k)
-        {
-            const int i = left - k, j = left + 1 + k;
-            if (i > 0)
-            {
-                below = moment[i] - ratio[i]*below;
-                moment[i] = below;
-            }
-            above = moment[j] - ratio[j]*above;
-            moment[j] = above;
-        }
-        return;
+        h[k] = unit*spacing[k];
+    }
+    for (int k = 1; k < n - 1; ++k)
+    {
+        diagonal[k] = 2*(h[k] + h[k + 1]);
+        right[k] = 6*unit*(slope[k + 1] - slope[k]);
     }
 
-    // Forward: part p covers [p part, (p + 1) part), started a guard before
-    double c[lanes] = {}, d[lanes] = {};
-    for (int j = -guard; j < part; ++j)
+    // The pivots are ratios of the determinants of ever more equations, and so
+    // are the right sides: no division waits for another
+    double now = 1, before = 0, side = 0;
+    for (int k = 1; k < n - 1; ++k)
     {
-        double h0[lanes], h1[lanes], rhs[lanes];
-        for (int p = 0; p < lanes; ++p)
+        const double another = diagonal[k]*now - (h[k]*h[k])*before;
+        side = right[k]*now - h[k]*side;
+        before = now;
+        now = another;
+        ratio[k] = before;
+        slope[k] = now;
+        moment[k] = side;
+        if (!(now < 1e100 && now > 1e-100))
         {
-            const int k = std::min(std::max(p*part + j, 1), n - 2);
-            h0[p] = spacing[k];
-            h1[p] = spacing[k + 1];
-            rhs[p] = 6*(slope[k + 1] - slope[k]);
-        }
-        for (int p = 0; p < lanes; ++p)
-        {
-            const double pivot = 1/(2*(h0[p] + h1[p]) - h0[p]*c[p]);
-            const bool inside = p*part + j >= 1;
-            d[p] = inside ? (rhs[p] - h0[p]*d[p])*pivot : 0;
-            c[p] = inside ? h1[p]*pivot : 0;
-        }
-        if (j >= 0)
-        {
-            for (int p = 0; p < lanes; ++p)
-            {
-                const int k = p*part + j;
-                if (k >= 1 && k < n - 1)
-                {
-                    ratio[k] = c[p];
-                    moment[k] = d[p];
-                }
-            }
-        }
-    }
-
-    // Backward, started a guard behind the part. Results go to slope, which
-    // is done with, since the neighbour still needs the forward values.
-    double m[lanes] = {};
-    for (int j = part + guard - 1; j >= 0; --j)
-    {
-        for (int p = 0; p < lanes; ++p)
-        {
-            const int k = p*part + j;
-
-            // Zero at the last knot, and so behind it
-            const int at = std::min(k, n - 1);
-            m[p] = moment[at] - ratio[at]*m[p];
-        }
-        if (j < part)
-        {
-            for (int p = 0; p < lanes; ++p)
-            {
-                const int k = p*part + j;
-                if (k < n)
-                {
-                    slope[k] = m[p];
-                }
-            }
+            before /= now;
+            side /= now;
+            now = 1;
         }
     }
     for (int k = 1; k < n - 1; ++k)
     {
-        moment[k] = slope[k];
+        const double inverse = 1/slope[k];
+        ratio[k] *= inverse*h[k + 1];
+        moment[k] *= inverse;
+    }
+    moment[0] = moment[n - 1] = 0;
+    for (int k = n - 3; k > 0; --k)
+    {
+        moment[k] -= ratio[k]*moment[k + 1];
     }
 }
 
