@@ -41,12 +41,13 @@ struct draws
 };
 
 
+//- A lane with all but its last impact
 void copyLane(const smoothLanes& a, int i, smoothLanes& b, int j)
 {
     const double* from = a.ex[0] + i;
     double* to = b.ex[0] + j;
     const int stride = sizeof(smoothLanes::lane)/sizeof(double);
-    for (int k = 0; k < int(sizeof(smoothLanes)/sizeof(double)); k += stride)
+    for (int k = 0; k < a.approach - a.ex[0]; k += stride)
     {
         to[k] = from[k];
     }
