@@ -21,7 +21,8 @@ Usage
         Number of threads of each process; default OMP_NUM_THREADS, else 1.
 
       - \par -table
-        Write responseTable.csv: sampled responses against the incidence.
+        Write responseTable.csv: sampled responses against the incidence
+        and, if the law depends on it, the speed.
 
       - \par -noPlot
         Do not call the plot script.
@@ -116,13 +117,17 @@ int main(int argc, char* argv[])
     argList::addBoolOption
     (
         "table",
-        "Write the sampled response as a function of the incidence"
+        "Write the sampled response as a function of the incidence and,"
+        " if the law depends on it, of the speed"
     );
     argList args(argc, argv);
     foamCompat::printRelease();
     const monteCarloRun monteCarlo(args, "scatteringIndicatrix");
     const scatteringSetup setup
-        (monteCarlo.readDictionary(), monteCarlo.casePath());
+    (
+        monteCarlo.readDictionary(), monteCarlo.casePath(),
+        args.found("table")
+    );
 
     const fileName folder(monteCarlo.folder());
     const bool sweep = setup.incidences.size() > 1;

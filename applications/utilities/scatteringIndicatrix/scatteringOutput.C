@@ -104,7 +104,7 @@ void Foam::writeResponseTable
     );
     const impact::scatteringTable table
     (
-        setup.sampler, incidences, setup.tableSamples
+        setup.sampler, incidences, setup.tableSamples, setup.tableSpeeds
     );
     textFile f(folder/"responseTable.csv");
     table.write([&](const char* text) { f.print(text); });

@@ -17,8 +17,64 @@ const wordList ours
 {
     "shape", "wall", "law", "incidence", "speed", "spin", "orientation",
     "nParticles", "seed", "binWidth", "targetError", "maxImpacts",
-    "tableSamples"
+    "tableSamples", "tableSpeedRange", "tableSpeeds"
 };
+
+
+//- Speeds of a table of a law that depends on them, of equal ratios [m/s]
+std::vector<double> readTableSpeeds
+(
+    const dictionary& dict,
+    const bool dependsOnSpeed,
+    const bool table
+)
+{
+    if (!dependsOnSpeed)
+    {
+        for (const word& entry : {"tableSpeedRange", "tableSpeeds"})
+        {
+            if (dict.found(entry))
+            {
+                FatalIOErrorInFunction(dict)
+                    << "Entry " << entry << ": the law does not depend on the"
+                    << " speed, its table holds for every speed. Leave it out"
+                    << exit(FatalIOError);
+            }
+        }
+        return {};
+    }
+    if (table && !dict.found("tableSpeedRange"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "The law depends on the speed: -table needs the entry"
+            << " tableSpeedRange (lowest highest) [m/s]"
+            << exit(FatalIOError);
+    }
+    const label n = getNumber<label>(dict, "tableSpeeds", "[2, 1000]", 8);
+    if (!dict.found("tableSpeedRange"))
+    {
+        return {};
+    }
+    const auto range(dict.get<Tuple2<scalar, scalar>>("tableSpeedRange"));
+    for (const scalar speed : {range.first(), range.second()})
+    {
+        checkNumber
+        (
+            dict, "tableSpeedRange", speed, "[1e-6, 3e8) m/s, below light"
+        );
+    }
+    if (range.first() >= range.second())
+    {
+        refuse(dict, "tableSpeedRange", range, "lowest < highest");
+    }
+    std::vector<double> speeds(n, range.second());
+    for (label i = 0; i < n - 1; ++i)
+    {
+        speeds[i] = range.first()
+           *std::pow(range.second()/range.first(), double(i)/(n - 1));
+    }
+    return speeds;
+}
 
 } // End anonymous namespace
 
@@ -26,7 +82,8 @@ const wordList ours
 Foam::scatteringSetup::scatteringSetup
 (
     const dictionary& dict,
-    const fileName& casePath
+    const fileName& casePath,
+    const bool table
 )
 :
     incidences(getNumbers(dict, "incidence", "[1e-6, 90] deg"))
@@ -45,6 +102,8 @@ Foam::scatteringSetup::scatteringSetup
 
     targetError = getTargetError(dict);
     tableSamples = getNumber<label>(dict, "tableSamples", "[1, 1e7]", 1024);
+    tableSpeeds =
+        readTableSpeeds(dict, sampler.law.dependsOnSpeed(), table);
 
     checked(dict, [&]
     {

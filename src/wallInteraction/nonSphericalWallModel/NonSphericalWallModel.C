@@ -63,6 +63,77 @@ void Foam::NonSphericalWallModel<CloudType>::compareWithFaces
 
 
 template<class CloudType>
+Foam::Tuple2<Foam::scalar, Foam::scalar>
+Foam::NonSphericalWallModel<CloudType>::readRange
+(
+    const dictionary& dict,
+    const word& entry,
+    const char* valid
+)
+{
+    const auto range(dict.get<Tuple2<scalar, scalar>>(entry));
+    checkNumber(dict, entry, range.first(), valid);
+    checkNumber(dict, entry, range.second(), valid);
+    if (range.first() > range.second())
+    {
+        refuse(dict, entry, range, "lowest <= highest");
+    }
+    return range;
+}
+
+
+template<class CloudType>
+void Foam::NonSphericalWallModel<CloudType>::readTable
+(
+    const dictionary& dict,
+    const fileName& casePath,
+    const impact::wallEncounter& setup,
+    wallData& wall
+) const
+{
+    const fileName file(getFile(dict, "table", casePath));
+    const Tuple2<scalar, scalar> incidences
+    (
+        readRange(dict, "incidenceRange", "(0, 90] deg")
+    );
+    Tuple2<scalar, scalar> speeds(0, 0);
+    if (setup.law.dependsOnSpeed())
+    {
+        speeds = readRange(dict, "speedRange", validRange::speed);
+    }
+    else if (dict.found("speedRange"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry speedRange: the law does not depend on the speed, its"
+            << " table holds for every speed. Leave it out"
+            << exit(FatalIOError);
+    }
+    wall.diameterTolerance =
+        getNumber(dict, "diameterTolerance", "(0, 1)", scalar(0.01));
+    checked
+    (
+        dict,
+        [&]
+        {
+            wall.table = std::make_shared<const impact::scatteringTable>(file);
+            wall.table->checkCovers
+            (
+                setup, incidences.first(), incidences.second(),
+                speeds.first(), speeds.second()
+            );
+            return true;
+        }
+    );
+    if (this->spins())
+    {
+        Info<< "    " << this->modelType() << ": a table holds arrivals"
+            << " without spin; that of a parcel is used by method direct only"
+            << endl;
+    }
+}
+
+
+template<class CloudType>
 typename Foam::NonSphericalWallModel<CloudType>::wallData
 Foam::NonSphericalWallModel<CloudType>::readWall
 (
@@ -89,7 +160,13 @@ Foam::NonSphericalWallModel<CloudType>::readWall
     };
     if (method == "tabulated")
     {
-        valid.append(wordList{"table", "incidenceRange", "diameterTolerance"});
+        valid.append
+        (
+            wordList
+            {
+                "table", "incidenceRange", "speedRange", "diameterTolerance"
+            }
+        );
     }
     if (lay == "fixed")
     {
@@ -140,24 +217,6 @@ Foam::NonSphericalWallModel<CloudType>::readWall
         return wall;
     }
 
-    const fileName file(getFile(dict, "table", casePath));
-    const Tuple2<scalar, scalar> range
-    (
-        dict.get<Tuple2<scalar, scalar>>("incidenceRange")
-    );
-    if
-    (
-        !(
-            range.first() > 0 && range.first() <= range.second()
-         && range.second() <= 90
-        )
-    )
-    {
-        refuse
-        (
-            dict, "incidenceRange", range, "0 < lowest <= highest <= 90 deg"
-        );
-    }
     if (wall.lay != layType::acrossMotion && wall.sized)
     {
         refuse
@@ -166,24 +225,7 @@ Foam::NonSphericalWallModel<CloudType>::readWall
             " so; another lay needs method direct"
         );
     }
-    wall.diameterTolerance =
-        getNumber(dict, "diameterTolerance", "(0, 1)", scalar(0.01));
-    checked
-    (
-        dict,
-        [&]
-        {
-            wall.table = std::make_shared<const impact::scatteringTable>(file);
-            wall.table->checkCovers(setup, range.first(), range.second());
-            return true;
-        }
-    );
-    if (this->spins())
-    {
-        Info<< "    " << this->modelType() << ": a table holds arrivals"
-            << " without spin; that of a parcel is used by method direct only"
-            << endl;
-    }
+    readTable(dict, casePath, setup, wall);
     return wall;
 }
 
@@ -238,7 +280,8 @@ Foam::NonSphericalWallModel<CloudType>::NonSphericalWallModel
         typeName,
         {
             "pulling impacts", "energy-gaining impacts", "capped",
-            "incidence raised or held", "outside of coefficients"
+            "incidence raised or held", "outside of coefficients",
+            "speed held"
         },
         {"seed"}
     ),
@@ -322,6 +365,7 @@ bool Foam::NonSphericalWallModel<CloudType>::correct
     this->special(pp, 2) += d.capped;
     this->special(pp, 3) += d.raised;
     this->special(pp, 4) += d.outside;
+    this->special(pp, 5) += d.held;
     this->leave(p, pp, hit);
     return true;
 }

@@ -8,11 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <sstream>
-#include <stdexcept>
 
 namespace
 {
@@ -21,10 +18,6 @@ using namespace impact;
 
 constexpr double pi = 3.14159265358979323846;
 constexpr double degrees = 180/pi;
-
-const char* const firstLine = "# scatteringResponse version 2";
-const char* const columns =
-    "alpha1_deg,alpha2_deg,beta2_deg,speedRatio,spinX,spinY,spinZ,rotation";
 
 
 template<class... Parts>
@@ -88,23 +81,33 @@ std::string keyOf(const std::string& line)
 }
 
 
-//- The numbers of a row, and on to the next row: false if there are others
-bool takeRow(const char*& at, double (&v)[8])
+//- The two points of a grid around a value, and how far it is from the first
+//  of them to the second; the ends are held
+struct neighbours
 {
-    for (int k = 0; k < 8; ++k)
+    int low = 0;
+    int high = 0;
+    double share = 0;
+
+    neighbours(const std::vector<double>& grid, double value)
     {
-        char* end;
-        v[k] = std::strtod(at, &end);
-        const char expected = k < 7 ? ',' : '\n';
-        const bool closed = *end == expected || (k == 7 && *end == '\r');
-        if (end == at || !closed || !(std::fabs(v[k]) < 1e30))
+        const int last = int(grid.size()) - 1;
+        if (value >= grid[last])
         {
-            return false;
+            low = last;
         }
-        at = end + 1 + (*end == '\r');
+        else if (value > grid[0])
+        {
+            low = int
+            (
+                std::upper_bound(grid.begin(), grid.end(), value)
+              - grid.begin()
+            ) - 1;
+            share = (value - grid[low])/(grid[low + 1] - grid[low]);
+        }
+        high = std::min(low + 1, last);
     }
-    return true;
-}
+};
 
 } // End anonymous namespace
 
@@ -134,13 +137,6 @@ std::vector<std::string> impact::scatteringTable::describe
             ' ', body.radius()/d, ' ', body.vertices().size()
         )
     );
-    if (s.law.dependsOnSpeed())
-    {
-        refuse
-        (
-            "a table holds for every speed: its law must not depend on it"
-        );
-    }
     const std::string normal = s.law.normal().describe();
     const std::string other = s.law.other().describe();
     lines.push_back
@@ -205,238 +201,102 @@ std::vector<std::string> impact::scatteringTable::describe
 }
 
 
+void impact::scatteringTable::sample(const samplerSetup& setup)
+{
+    const scatteringSampler sampler(setup);
+    const double unit = radius_/setup.speed;
+    const vector3& J = setup.body.inertia();
+    for (const visitResult& r : sampler.visits(0, nRows_))
+    {
+        const vector3& V = r.state.V;
+        const rotationState& s = r.state.rotation;
+        row x;
+        x.alpha = float(std::atan2(V.y, V.x));
+        x.beta = float(std::atan2(V.z, std::hypot(V.x, V.y)));
+        x.speed = float(mag(V)/setup.speed);
+        x.spin[0] = float(unit*dot(s.omega, s.ex));
+        x.spin[1] = float(unit*dot(s.omega, s.ey));
+        x.spin[2] = float(unit*dot(s.omega, s.ez()));
+        x.rotation = float
+        (
+            dot(multiply(J, s.omega), s.omega)/(setup.speed*setup.speed)
+        );
+        rows_.push_back(x);
+    }
+    std::sort
+    (
+        rows_.end() - nRows_, rows_.end(),
+        [](const row& a, const row& b) { return a.alpha < b.alpha; }
+    );
+}
+
+
+void impact::scatteringTable::setLogarithms()
+{
+    for (const double speed : speeds_)
+    {
+        logSpeeds_.push_back(std::log(speed));
+    }
+}
+
+
 impact::scatteringTable::scatteringTable
 (
     const samplerSetup& setup,
     const std::vector<double>& incidences,
-    int nRows
+    int nRows,
+    const std::vector<double>& speeds
 )
 :
     description_(describe(setup, setup.spin)),
     incidences_(incidences),
+    speeds_(speeds),
     nRows_(nRows),
     radius_(setup.body.radius()),
     diameter_(equivalentDiameter(setup.body))
 {
     checkRange("rows of a table", nRows, "[1, inf)");
-    for (std::size_t i = 0; i < incidences.size(); ++i)
+    if (setup.law.dependsOnSpeed() && speeds.empty())
     {
-        if (i > 0 && !(incidences[i] > incidences[i - 1]))
-        {
-            refuse
-            (
-                "incidence ", incidences[i], " of a table follows ",
-                incidences[i - 1], ": they must increase"
-            );
-        }
-        samplerSetup one(setup);
-        one.incidence = incidences[i];
-        const scatteringSampler sampler(one);
-        const double unit = radius_/one.speed;
-        const vector3& J = setup.body.inertia();
-        for (const visitResult& r : sampler.visits(0, nRows))
-        {
-            const vector3& V = r.state.V;
-            const rotationState& s = r.state.rotation;
-            row x;
-            x.alpha = float(std::atan2(V.y, V.x));
-            x.beta = float(std::atan2(V.z, std::hypot(V.x, V.y)));
-            x.speed = float(mag(V)/one.speed);
-            x.spin[0] = float(unit*dot(s.omega, s.ex));
-            x.spin[1] = float(unit*dot(s.omega, s.ey));
-            x.spin[2] = float(unit*dot(s.omega, s.ez()));
-            x.rotation = float
-            (
-                dot(multiply(J, s.omega), s.omega)/(one.speed*one.speed)
-            );
-            rows_.push_back(x);
-        }
-        std::sort
-        (
-            rows_.end() - nRows, rows_.end(),
-            [](const row& a, const row& b) { return a.alpha < b.alpha; }
-        );
+        refuse("the law depends on the speed: a table of it needs speeds");
     }
-}
-
-
-void impact::scatteringTable::write
-(
-    const std::function<void(const char*)>& print
-) const
-{
-    print(firstLine);
-    print
-    (
-        "\n# A row is one particle; rows of an incidence are in the order of"
-        " alpha2, so that row k of one and of the next angle of incidence"
-        " are the same quantile of alpha2.\n"
-        "# speedRatio = |V2|/|V1|, spin = omega2 radius/|V1| in axes of the"
-        " wall (x along it, y normal to it), rotation = share of |V1|^2/2"
-        " that rotates\n"
-    );
-    for (const std::string& line : description_)
-    {
-        print(("# " + line + "\n").c_str());
-    }
-    print
-    (
-        text
-        (
-            "# radius ", radius_, "\n# diameter ", diameter_,
-            "\n# nIncidences ", incidences_.size(),
-            "\n# nRows ", nRows_, '\n', columns, '\n'
-        ).c_str()
-    );
-    char line[200];
-    for (std::size_t i = 0; i < rows_.size(); ++i)
-    {
-        const row& r = rows_[i];
-        std::snprintf
-        (
-            line, sizeof(line), "%.9g,%.7g,%.7g,%.7g,%.6g,%.6g,%.6g,%.6g\n",
-            incidences_[i/nRows_], degrees*r.alpha, degrees*r.beta,
-            double(r.speed), double(r.spin[0]), double(r.spin[1]),
-            double(r.spin[2]), double(r.rotation)
-        );
-        print(line);
-    }
-}
-
-
-long impact::scatteringTable::readHead
-(
-    std::istream& file,
-    const std::string& fileName
-)
-{
-    std::string line;
-    std::getline(file, line);
-    if (line != firstLine)
+    if (!setup.law.dependsOnSpeed() && !speeds.empty())
     {
         refuse
         (
-            "table \"", fileName, "\" begins with '", line.substr(0, 60),
-            "' instead of '", firstLine, "': write it anew with"
-            " scatteringIndicatrix -table"
+            "the law does not depend on the speed: a table of it holds for"
+            " every speed and takes none"
         );
     }
-    long nIncidences = 0, nRows = 0;
-    while (std::getline(file, line) && line.compare(0, 2, "# ") == 0)
+    for (const double speed : speeds)
     {
-        line = line.substr(2);
-        const std::string key = keyOf(line);
-        const std::string value =
-            line.size() > key.size() ? line.substr(key.size() + 1) : "";
-        if (key == "radius")
-        {
-            radius_ = std::strtod(value.c_str(), nullptr);
-        }
-        else if (key == "nIncidences")
-        {
-            nIncidences = std::strtol(value.c_str(), nullptr, 10);
-        }
-        else if (key == "nRows")
-        {
-            nRows = std::strtol(value.c_str(), nullptr, 10);
-        }
-        else if (key == "diameter")
-        {
-            diameter_ = std::strtod(value.c_str(), nullptr);
-        }
-        else
-        {
-            description_.push_back(line);
-        }
+        checkRange("speed of a table", speed, "(0, 3e8) m/s");
     }
-    if (line != columns)
+    for (const auto* grid : {&incidences_, &speeds_})
     {
-        refuse
-        (
-            "table \"", fileName, "\" has the columns '",
-            line.substr(0, 100), "' instead of '", columns, "'"
-        );
-    }
-    if
-    (
-        !(radius_ > 0) || !(diameter_ > 0) || nIncidences < 1 || nRows < 1
-     || double(nIncidences)*double(nRows) > 1e9
-    )
-    {
-        refuse
-        (
-            "table \"", fileName, "\": radius ", radius_, ", nIncidences ",
-            nIncidences, ", nRows ", nRows, ": valid range > 0"
-        );
-    }
-    nRows_ = int(nRows);
-    return nIncidences;
-}
-
-
-impact::scatteringTable::scatteringTable(const std::string& fileName)
-{
-    std::ifstream file(fileName, std::ios::binary);
-    if (!file)
-    {
-        refuse("table \"", fileName, "\" cannot be read");
-    }
-    const std::size_t total =
-        std::size_t(readHead(file, fileName))*std::size_t(nRows_);
-    const std::string body
-    (
-        (std::istreambuf_iterator<char>(file)),
-        std::istreambuf_iterator<char>()
-    );
-    const char* at = body.c_str();
-    rows_.reserve(total);
-    for (std::size_t i = 0; i < total; ++i)
-    {
-        double v[8];
-        if (!takeRow(at, v))
+        for (std::size_t i = 1; i < grid->size(); ++i)
         {
-            refuse
-            (
-                "table \"", fileName, "\", row ", i + 1, " of ", total,
-                ": eight numbers expected"
-            );
-        }
-        if (i % std::size_t(nRows_) == 0)
-        {
-            if (!incidences_.empty() && !(v[0] > incidences_.back()))
+            if (!((*grid)[i] > (*grid)[i - 1]))
             {
                 refuse
                 (
-                    "table \"", fileName, "\": incidence ", v[0],
-                    " follows ", incidences_.back(), ": they must increase"
+                    grid == &speeds_ ? "speed " : "incidence ", (*grid)[i],
+                    " of a table follows ", (*grid)[i - 1],
+                    ": they must increase"
                 );
             }
-            incidences_.push_back(v[0]);
         }
-        else if
-        (
-            v[0] != incidences_.back()
-         || v[1]/degrees < double(rows_.back().alpha) - 1e-6
-        )
-        {
-            refuse
-            (
-                "table \"", fileName, "\", row ", i + 1,
-                ": the rows are not in order"
-            );
-        }
-        rows_.push_back
-        ({
-            float(v[1]/degrees), float(v[2]/degrees), float(v[3]),
-            {float(v[4]), float(v[5]), float(v[6])}, float(v[7])
-        });
     }
-    if (*at != 0)
+    setLogarithms();
+    samplerSetup one(setup);
+    for (int j = 0; j < nSpeeds(); ++j)
     {
-        refuse
-        (
-            "table \"", fileName, "\" goes on after its ", total, " rows"
-        );
+        one.speed = speeds.empty() ? setup.speed : speeds[j];
+        for (const double incidence : incidences)
+        {
+            one.incidence = incidence;
+            sample(one);
+        }
     }
 }
 
@@ -445,7 +305,9 @@ void impact::scatteringTable::checkCovers
 (
     const wallEncounter& request,
     double lowest,
-    double highest
+    double highest,
+    double slowest,
+    double fastest
 ) const
 {
     for (const std::string& wanted : describe(request, {0, 0, 0}))
@@ -480,6 +342,30 @@ void impact::scatteringTable::checkCovers
             highest
         );
     }
+    if (speeds_.empty() && request.law.dependsOnSpeed())
+    {
+        refuse
+        (
+            "the table holds no speeds, on which the law depends: write it"
+            " anew with scatteringIndicatrix -table"
+        );
+    }
+    if
+    (
+        !speeds_.empty()
+     && (
+            slowest < (1 - slack)*speeds_.front()
+         || fastest > (1 + slack)*speeds_.back()
+        )
+    )
+    {
+        refuse
+        (
+            "the table holds the speeds ", speeds_.front(), " to ",
+            speeds_.back(), " m/s, this wall needs ", slowest, " to ",
+            fastest
+        );
+    }
 }
 
 
@@ -493,47 +379,45 @@ impact::wallDeparture impact::scatteringTable::depart
 {
     const double speed = mag(V);
     const double incidence = degrees*std::atan2(-V.y, std::fabs(V.x));
-    const int last = int(incidences_.size()) - 1;
-    outside = incidence < incidences_[0] || incidence > incidences_[last];
-    int low = 0;
-    double share = 0;
-    if (incidence >= incidences_[last])
-    {
-        low = last;
-    }
-    else if (incidence > incidences_[0])
-    {
-        low = int
-        (
-            std::upper_bound
-            (
-                incidences_.begin(), incidences_.end(), incidence
-            ) - incidences_.begin()
-        ) - 1;
-        share =
-            (incidence - incidences_[low])
-           /(incidences_[low + 1] - incidences_[low]);
-    }
-    const int high = std::min(low + 1, last);
+    outside = incidence < incidences_[0] || incidence > incidences_.back();
+    const neighbours angle(incidences_, incidence);
 
     std::uint64_t w0, w1, w2, w3;
     philoxLane
     (
         key.seed, 0, drawPurpose::tableRow, key.stream, w0, w1, w2, w3
     );
-    double u, choice, unused;
-    threeUnits(w0, w1, w2, w3, u, choice, unused);
+    double u, choice, choiceOfSpeed;
+    threeUnits(w0, w1, w2, w3, u, choice, choiceOfSpeed);
     const double place = u*nRows_ - 0.5;
     const int first = std::max(0, int(std::floor(place)));
     const int second = std::min(first + 1, nRows_ - 1);
     const double f = std::max(0., place - first);
-    const row* a = rows(low);
-    const row* b = rows(high);
-    const double alpha =
-        (1 - share)*((1 - f)*a[first].alpha + f*a[second].alpha)
-      + share*((1 - f)*b[first].alpha + f*b[second].alpha);
+    auto alphaAt = [&](int j)
+    {
+        const row* a = rows(angle.low, j);
+        const row* b = rows(angle.high, j);
+        return
+            (1 - angle.share)*((1 - f)*a[first].alpha + f*a[second].alpha)
+          + angle.share*((1 - f)*b[first].alpha + f*b[second].alpha);
+    };
+    double alpha;
+    int chosen = 0;
+    bool held = false;
+    if (speeds_.empty())
+    {
+        alpha = alphaAt(0);
+    }
+    else
+    {
+        held = speed < speeds_[0] || speed > speeds_.back();
+        const neighbours s(logSpeeds_, std::log(std::max(speed, 1e-300)));
+        alpha = (1 - s.share)*alphaAt(s.low) + s.share*alphaAt(s.high);
+        chosen = choiceOfSpeed < s.share ? s.high : s.low;
+    }
     const int nearest = f < 0.5 ? first : second;
-    const row& r = choice < share ? b[nearest] : a[nearest];
+    const row& r =
+        rows(choice < angle.share ? angle.high : angle.low, chosen)[nearest];
 
     // A table looks along the motion of its particles
     const double forward = V.x < 0 ? -1 : 1;
@@ -555,5 +439,6 @@ impact::wallDeparture impact::scatteringTable::depart
     };
     out.rotation1 = 0.5*r.rotation*speed*speed;
     out.impacts = 1;
+    out.held = held;
     return out;
 }
