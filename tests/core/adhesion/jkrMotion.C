@@ -6,6 +6,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "jkrMotion.H"
+#include "bracketedRoot.H"
 
 #include <gtest/gtest.h>
 
@@ -184,13 +185,14 @@ TEST(jkrMotion, separatrixAgreesWithBisection)
         {
             const jkrMotion motion(alpha, unloading, 1e-13);
             const double g = motion.captureRatio();
-            double lo = 0.5*g, hi = 2*g;
-            while (hi - lo > 1e-12*g)
-            {
-                const double mid = 0.5*(lo + hi);
-                (impactAt(motion, mid).captured ? lo : hi) = mid;
-            }
-            EXPECT_NEAR(lo/g, 1, 1e-10) << alpha;
+            const double low = bracketedChange
+            (
+                [&](double p) { return impactAt(motion, p).captured; },
+                0.5*g,
+                2*g,
+                [=](double a, double b) { return b - a <= 1e-12*g; }
+            ).first;
+            EXPECT_NEAR(low/g, 1, 1e-10) << alpha;
         }
     }
 }

@@ -7,6 +7,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "contactTime.H"
+#include "bracketedRoot.H"
 #include "counterRandom.H"
 
 #include <gtest/gtest.h>
@@ -73,13 +74,13 @@ struct motion
                 {
                     return double(t);   // turned back while overlapping
                 }
-                quad low = quad(end)*(i - 1)/n, high = t;
-                for (int k = 0; k < 110; ++k)
-                {
-                    const quad mid = (low + high)/2;
-                    (gap(mid) > 0 ? low : high) = mid;
-                }
-                return double(high);
+                return bracketedChange
+                (
+                    [&](double time) { return gap(time) > 0; },
+                    double(quad(end)*(i - 1)/n),
+                    double(t),
+                    [](double, double) { return false; }
+                ).second;
             }
             last = p;
         }

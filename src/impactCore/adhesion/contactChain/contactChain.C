@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "contactChain.H"
+#include "bracketedRoot.H"
 #include "dormandPrince8.H"
 #include "jkrMotion.H"
 #include "outOfRange.H"
@@ -461,8 +462,7 @@ double impact::contactChain::threshold
     double high
 ) const
 {
-    const bool atLow = happens(what, low);
-    if (atLow == happens(what, high))
+    if (happens(what, low) == happens(what, high))
     {
         throwOutOfRange
         (
@@ -471,10 +471,12 @@ double impact::contactChain::threshold
             "two with different outcomes"
         );
     }
-    while (high - low > 1e-9*high)
-    {
-        const double mid = 0.5*(low + high);
-        (happens(what, mid) == atLow ? low : high) = mid;
-    }
-    return 0.5*(low + high);
+    const auto ends = bracketedChange
+    (
+        [&](double s) { return happens(what, s); },
+        low,
+        high,
+        [](double a, double b) { return b - a <= 1e-9*b; }
+    );
+    return 0.5*(ends.first + ends.second);
 }

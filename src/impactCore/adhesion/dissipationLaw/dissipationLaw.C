@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "dissipationLaw.H"
+#include "bracketedRoot.H"
 #include "jkrMotion.H"
 #include "outOfRange.H"
 
@@ -17,18 +18,6 @@ namespace
 {
 
 const double infinity = std::numeric_limits<double>::infinity();
-
-//- Root of a function that changes its sign from positive to negative
-template<class Function>
-double root(const Function& f, double low, double high)
-{
-    for (int k = 0; k < 200 && high - low > 1e-14*high; ++k)
-    {
-        const double mid = 0.5*(low + high);
-        (f(mid) > 0 ? low : high) = mid;
-    }
-    return 0.5*(low + high);
-}
 
 //- Values of e among which changes of sign are looked for
 const int nScan = 400;
@@ -153,7 +142,7 @@ double impact::dissipationLaw::calibrated
         entry<< "restitution at " << q << " times v_st:";
         throwOutOfRange(entry.str(), e, rangeText("()", 0, limit));
     }
-    return root
+    return bracketedRoot
     (
         [&](double a) { return restitution(a, q, unloading) - e; },
         0,
@@ -234,7 +223,7 @@ double impact::dissipationLaw::speed(double e) const
 
     // In x = log(V/V_cap) up to where e is that without adhesion
     const double far = 80;
-    const double x = root
+    const double x = bracketedRoot
     (
         [&](double s)
         {
@@ -273,7 +262,7 @@ impact::normalRebound impact::dissipationLaw::rebound(double q) const
         const double x = excess(e);
         if (x > 0 || (x == 0 && e > 0))
         {
-            return {false, root(excess, e, above)};
+            return {false, bracketedRoot(excess, e, above)};
         }
         above = e;
     }
@@ -333,13 +322,7 @@ impact::dissipationLaw::unreachable() const
     };
     auto edge = [&](double a, double b)
     {
-        const bool first = reached(a);
-        for (int k = 0; k < 60; ++k)
-        {
-            const double mid = 0.5*(a + b);
-            (reached(mid) == first ? a : b) = mid;
-        }
-        return 0.5*(a + b);
+        return bracketedChange(reached, a, b, allDigits).first;
     };
     std::vector<interval> found;
     if (isConstant())

@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "lawCurve.H"
+#include "bracketedRoot.H"
 #include "outOfRange.H"
 
 #include <algorithm>
@@ -27,16 +28,16 @@ const double smooth = 4e-6;
 template<class Condition>
 double threshold(const Condition& holds, double low, double high)
 {
-    while (high > low*(1 + 1e-15))
-    {
-        const double mid = std::sqrt(low*high);
-        if (mid <= low || mid >= high)
-        {
-            break;
-        }
-        (holds(mid) ? high : low) = mid;
-    }
-    return high;
+    return std::exp
+    (
+        impact::bracketedChange
+        (
+            [&](double s) { return holds(std::exp(s)); },
+            std::log(low),
+            std::log(high),
+            impact::allDigits
+        ).second
+    );
 }
 
 } // End anonymous namespace
@@ -61,13 +62,10 @@ double impact::lawCurve::search(double q) const
         const double e = high_*i/nScan;
         if (excess(e, q) > 0)
         {
-            double low = e;
-            for (int k = 0; k < 60 && above - low > 1e-15; ++k)
-            {
-                const double mid = 0.5*(low + above);
-                (excess(mid, q) > 0 ? low : above) = mid;
-            }
-            return 0.5*(low + above);
+            return bracketedRoot
+            (
+                [&](double s) { return excess(s, q); }, e, above
+            );
         }
         above = e;
     }
@@ -99,7 +97,6 @@ double impact::lawCurve::solve(double q) const
         return search(q);
     }
 
-    // Regula falsi in the Illinois form
     double low = std::fmax(nodes_[i] - 1e-9, 0.);
     double high = std::fmin(nodes_[i + 1] + 1e-9, high_);
     double fLow = excess(low, q), fHigh = excess(high, q);
@@ -107,32 +104,15 @@ double impact::lawCurve::solve(double q) const
     {
         return search(q);
     }
-    double e = low;
-    int side = 0;
-    for (int k = 0; k < 40 && high - low > 1e-9; ++k)
-    {
-        e = (fLow*high - fHigh*low)/(fLow - fHigh);
-        const double f = excess(e, q);
-        if (std::fabs(f) < 1e-9)
-        {
-            return e;
-        }
-        if (f > 0)
-        {
-            low = e;
-            fLow = f;
-            fHigh *= side == 1 ? 0.5 : 1;
-            side = 1;
-        }
-        else
-        {
-            high = e;
-            fHigh = f;
-            fLow *= side == -1 ? 0.5 : 1;
-            side = -1;
-        }
-    }
-    return e;
+    return bracketedRoot
+    (
+        [&](double e) { return this->excess(e, q); },
+        low,
+        high,
+        fLow,
+        fHigh,
+        [](double a, double b) { return b - a <= 1e-9; }
+    );
 }
 
 

@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "overlapMarch.H"
+#include "bracketedRoot.H"
 #include "outOfRange.H"
 
 #include <algorithm>
@@ -81,12 +82,10 @@ impact::motionOutcome impact::overlapMarch::impact
             double part = 1;
             if (interpolate_)
             {
-                double lo = 0;
-                for (int k = 0; k < 60; ++k)
-                {
-                    const double mid = 0.5*(lo + part);
-                    (overlapAt(mid) > end ? lo : part) = mid;
-                }
+                part = bracketedRoot
+                (
+                    [&](double s) { return overlapAt(s) - end; }, 0, 1
+                );
                 advance(part*h);
             }
             out.exitSpeed = -pNew;

@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "specificHeat.H"
+#include "bracketedRoot.H"
 #include "outOfRange.H"
 
 #include <cmath>
@@ -68,28 +69,13 @@ double impact::specificHeat::solve(double h) const
         return 0;
     }
 
-    // Enclosed, and by a straight line where Newton's step leads out
-    double low = 0;
-    double high = std::max(2*h/std::max(cp(300), 1e-3), 1000.);
-    for (int i = 0; i < 200 && this->h(high) < h; ++i)
-    {
-        high *= 2;
-    }
-    double T = std::min(std::max(h/cp(300), low), high);
-    for (int i = 0; i < 200; ++i)
-    {
-        const double miss = this->h(T) - h;
-        (miss > 0 ? high : low) = T;
-        double next = T - miss/cp(T);
-        if (!(next > low && next < high))
-        {
-            next = 0.5*(low + high);
-        }
-        if (std::fabs(next - T) <= 4e-16*T)
-        {
-            return next;
-        }
-        T = next;
-    }
-    return T;
+    // In small strides: beyond the temperatures that it is valid for a
+    // polynomial may turn back
+    boost::uintmax_t steps = 60;
+    const auto ends = boost::math::tools::bracket_and_solve_root
+    (
+        [&](double T) { return this->h(T) - h; },
+        h/cp(300), 1.25, true, allDigits, steps
+    );
+    return 0.5*(ends.first + ends.second);
 }

@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "radiativeCooling.H"
+#include "bracketedRoot.H"
 #include "outOfRange.H"
 
 #include <algorithm>
@@ -281,36 +282,19 @@ double impact::radiativeCooling::invert(double y, bool hot) const
         const double e = std::exp(w);
         return !both ? e : hot ? 1 + e : e/(1 + e);
     };
-    const double sign = hot ? -1 : 1;
     const double logY = std::log(y);
-    double low = -50, high = both ? 37 : 50;
-    double w = hot && !both ? -logY/3 : 0;
-    w = std::min(std::max(w, low), high);
-    for (int i = 0; i < 200; ++i)
-    {
-        const double x = place(w);
-        const double got = coordinate(x, hot);
-        const double error = sign*(std::log(got) - logY);
-        (error < 0 ? low : high) = w;
-        double first, second;
-        slopes(x, first, second);
-        const double e = std::exp(w);
-        const double dx = both && !hot ? e/((1 + e)*(1 + e)) : e;
-        const double slope =
-            dx/(got*std::max(std::fabs(first), 1e-300));
-        double step = slope > 0 ? -error/slope : infinity;
-        const double next = w + step;
-        if (!(next > low && next < high))
-        {
-            step = 0.5*(low + high) - w;
-        }
-        w += step;
-        if (std::fabs(step) < 2e-16*(1 + std::fabs(w)))
-        {
-            break;
-        }
-    }
-    return place(w);
+    return place
+    (
+        bracketedRoot
+        (
+            [&](double w)
+            {
+                return std::log(coordinate(place(w), hot)) - logY;
+            },
+            -50,
+            both ? 37 : 50
+        )
+    );
 }
 
 

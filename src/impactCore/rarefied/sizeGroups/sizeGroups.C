@@ -5,6 +5,8 @@
 #include "sizeGroups.H"
 #include "outOfRange.H"
 
+#include <boost/math/distributions/normal.hpp>
+
 #include <cmath>
 
 namespace
@@ -22,13 +24,7 @@ namespace
     //- Where the part p of a normal law is below
     double quantile(double p)
     {
-        double low = -40, high = 40;
-        for (int i = 0; i < 80; ++i)
-        {
-            const double middle = 0.5*(low + high);
-            (between(-40, middle) < p ? low : high) = middle;
-        }
-        return 0.5*(low + high);
+        return boost::math::quantile(boost::math::normal(), p);
     }
 }
 

@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "frictionImpact.H"
+#include "bracketedRoot.H"
 #include "elementary.H"
 
 #include <algorithm>
@@ -254,14 +255,21 @@ bool impact::frictionImpact::turns(double from, double& h, state& next) const
             return false;
         }
         state peak;
-        double lo = from, hi = h;
-        for (int i = 0; i < 40; ++i)
+        auto rate = [&](double tau)
         {
-            const double t = 0.5*(lo + hi);
-            evaluate(t, peak);
-            end = velocity(t, peak);
-            (end.rate > 0 ? lo : hi) = t;
-        }
+            evaluate(tau, peak);
+            end = velocity(tau, peak);
+            return end.rate;
+        };
+        const double width = h - from;
+        rate
+        (
+            bracketedRoot
+            (
+                rate, from, h, begin.rate, end.rate,
+                [=](double a, double b) { return b - a <= 1e-12*width; }
+            )
+        );
         if (!(end.value > 0))
         {
             return false;
@@ -512,28 +520,27 @@ void impact::frictionImpact::fromRest()
         const slipRates next = rates(around.c[i + 1], around.s[i + 1]);
         if ((last.turning > 0) != (next.turning > 0))
         {
-            // By Newton's method from the chord, between the two
-            double lo = 0, hi = directionCircle::part;
-            double angle = hi*last.turning/(last.turning - next.turning);
             double c = 1, s = 0;
-            slipRates here = {};
-            for (int k = 0; k < 60; ++k)
+            auto at = [&](double angle)
             {
                 double sine, cosine;
                 sinCos(angle, sine, cosine);
                 c = around.c[i]*cosine - around.s[i]*sine;
                 s = around.s[i]*cosine + around.c[i]*sine;
-                here = rates(c, s);
-                ((here.turning > 0) == (last.turning > 0) ? lo : hi) = angle;
-                const double step =
-                    here.change != 0 ? -here.turning/here.change : hi;
-                if (std::fabs(step) <= 1e-15)
-                {
-                    break;
-                }
-                angle = angle + step > lo && angle + step < hi
-                  ? angle + step : 0.5*(lo + hi);
-            }
+                return rates(c, s);
+            };
+            const slipRates here = at
+            (
+                bracketedRoot
+                (
+                    [&](double angle) { return at(angle).turning; },
+                    0,
+                    directionCircle::part,
+                    last.turning,
+                    next.turning,
+                    [](double a, double b) { return b - a <= 2e-15; }
+                )
+            );
             if (here.growth > fastest)
             {
                 fastest = here.growth;
