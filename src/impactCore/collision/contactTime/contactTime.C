@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "contactTime.H"
+#include "bracketedRoot.H"
 
 #include <algorithm>
 
@@ -10,56 +11,6 @@ namespace
 {
 
 using namespace impact;
-
-//- Root in [low, high] of a continuous function of opposite signs at the ends:
-//  Newton's steps, bisection where they leave the bracket or lag
-//  \param f  gives the value and sets the derivative
-template<class Function>
-double bracketedRoot(Function f, double low, double high, double fLow)
-{
-    const bool positive = fLow > 0;
-    double t = 0.5*(low + high);
-    double step = high - low, lastStep = step;
-    for (int i = 0; i < 200; ++i)
-    {
-        double slope;
-        const double value = f(t, slope);
-        if (value == 0)
-        {
-            return t;
-        }
-        ((value > 0) == positive ? low : high) = t;
-
-        // Newton's step must halve the one before the last. Compared without
-        // the division, which may overflow
-        double next;
-        if (std::fabs(value) < 0.5*std::fabs(lastStep*slope))
-        {
-            next = t - value/slope;
-        }
-        else
-        {
-            next = low;
-        }
-        if (!(next > low && next < high))
-        {
-            next = low + 0.5*(high - low);
-        }
-        if (next == t || next == low || next == high)
-        {
-            return next;
-        }
-        lastStep = step;
-        step = next - t;
-        t = next;
-        if (std::fabs(step) <= 1e-16*std::fabs(t))
-        {
-            return t;
-        }
-    }
-    return t;
-}
-
 
 //- Roots in (0, end) of a2 t^2 + a1 t + a0, in order
 int quadraticRoots
@@ -146,12 +97,7 @@ public:
     {
         return bracketedRoot
         (
-            [&](double t, double& slope)
-            {
-                slope = c_[1] + t*(2*c_[2] + t*3*c_[3]);
-                return rate(t) - level;
-            },
-            low, high, rate(low) - level
+            [&](double t) { return rate(t) - level; }, low, high
         );
     }
 
@@ -199,12 +145,7 @@ public:
         }
         return bracketedRoot
         (
-            [&](double t, double& slope)
-            {
-                slope = rate(t);
-                return (*this)(t);
-            },
-            from, to, before
+            *this, from, to, before, after, allDigits
         );
     }
 };
