@@ -20,31 +20,31 @@ void Foam::gasEquations::soundSpeed(std::vector<double>& a) const
 }
 
 
-void Foam::gasEquations::transport
+Foam::gasEquations::faceTransport Foam::gasEquations::transport
 (
-    const label f,
-    double& mu,
-    double& lambda
+    const label f
 ) const
 {
     const label o = geometry_.owner[f];
     const label r = geometry_.far[f];
     const double T = primitive[r*nVar_ + 1];
-    mu = eos_.viscosity(T);
-    lambda =
+    faceTransport t;
+    t.mu = eos_.viscosity(T);
+    t.lambda =
         eos_.thermallyPerfect()
-      ? eos_.conductivity<true>(mu, T)
-      : eos_.conductivity<false>(mu, T);
+      ? eos_.conductivity<true>(t.mu, T)
+      : eos_.conductivity<false>(t.mu, T);
     if (!eddyViscosity_.empty())
     {
         const double cv =
             eos_.thermallyPerfect()
           ? eos_.specificHeat<true>(T)
           : eos_.cv;
-        mu += max(eddyViscosity_[o], eddyViscosity_[r]);
-        lambda +=
+        t.mu += max(eddyViscosity_[o], eddyViscosity_[r]);
+        t.lambda +=
             (cv + eos_.R)*max(eddyDiffusivity_[o], eddyDiffusivity_[r]);
     }
+    return t;
 }
 
 
@@ -57,12 +57,47 @@ double Foam::gasEquations::diffusivity(const label f) const
         eos_.thermallyPerfect()
       ? eos_.specificHeat<true>(T)
       : eos_.cv;
-    double mu;
-    double lambda;
-    transport(f, mu, lambda);
+    const faceTransport t = transport(f);
     return
-        max(4.0/3*mu, lambda/cv)/density
+        max(4.0/3*t.mu, t.lambda/cv)/density
        *geometry_.area[f]/geometry_.normalDistance[f];
+}
+
+
+Foam::gasEquations::faceVelocities Foam::gasEquations::normalVelocities
+(
+    const label f
+) const
+{
+    const int nDim = geometry_.nDim();
+    const double* n = &geometry_.normal[f*nDim];
+    const double* qo = &primitive[geometry_.owner[f]*nVar_ + 2];
+    const double* qr = &primitive[geometry_.far[f]*nVar_ + 2];
+    faceVelocities u = {0, 0};
+    for (int d = 0; d < nDim; d++)
+    {
+        u.owner += qo[d]*n[d];
+        u.far += qr[d]*n[d];
+    }
+    return u;
+}
+
+
+void Foam::gasEquations::sumOverFaces
+(
+    const std::vector<double>& ofFaces,
+    std::vector<double>& ofCells
+) const
+{
+    ofCells.assign(geometry_.nCells(), 0);
+    for (label f = 0; f < geometry_.nFaces(); f++)
+    {
+        ofCells[geometry_.owner[f]] += ofFaces[f];
+        if (f < geometry_.nInternal())
+        {
+            ofCells[geometry_.far[f]] += ofFaces[f];
+        }
+    }
 }
 
 
@@ -76,18 +111,9 @@ void Foam::gasEquations::faceSpectralRadius(std::vector<double>& lambda) const
     {
         const label o = geometry_.owner[f];
         const label r = geometry_.far[f];
-        const double* n = &geometry_.normal[f*nDim];
-        const double* qo = &primitive[o*nVar_ + 2];
-        const double* qr = &primitive[r*nVar_ + 2];
-        double uo = 0;
-        double ur = 0;
-        for (int d = 0; d < nDim; d++)
-        {
-            uo += qo[d]*n[d];
-            ur += qr[d]*n[d];
-        }
+        const faceVelocities u = normalVelocities(f);
         lambda[f] =
-            max(mag(uo) + soundSpeed_[o], mag(ur) + soundSpeed_[r])
+            max(mag(u.owner) + soundSpeed_[o], mag(u.far) + soundSpeed_[r])
            *geometry_.area[f];
 
         if (viscous_)
@@ -121,24 +147,14 @@ void Foam::gasEquations::faceSpectralRadius(std::vector<double>& lambda) const
 void Foam::gasEquations::spectralRadius(std::vector<double>& lambda) const
 {
     faceSpectralRadius(faceLambda_);
-    lambda.assign(geometry_.nCells(), 0);
-
-    for (label f = 0; f < geometry_.nFaces(); f++)
-    {
-        lambda[geometry_.owner[f]] += faceLambda_[f];
-        if (f < geometry_.nInternal())
-        {
-            lambda[geometry_.far[f]] += faceLambda_[f];
-        }
-    }
+    sumOverFaces(faceLambda_, lambda);
 }
 
 
 void Foam::gasEquations::centralRadius(std::vector<double>& lambda) const
 {
-    const int nDim = geometry_.nDim();
     soundSpeed(soundSpeed_);
-    lambda.assign(geometry_.nCells(), 0);
+    faceLambda_.resize(geometry_.nFaces());
 
     // owned: weight of the owner in the speed on its side of the face
     auto faces = [&](const label start, const label end, const double owned)
@@ -147,32 +163,17 @@ void Foam::gasEquations::centralRadius(std::vector<double>& lambda) const
         {
             const label o = geometry_.owner[f];
             const label r = geometry_.far[f];
-            const double* n = &geometry_.normal[f*nDim];
-            const double* qo = &primitive[o*nVar_ + 2];
-            const double* qr = &primitive[r*nVar_ + 2];
-            double uo = 0;
-            double ur = 0;
-            for (int d = 0; d < nDim; d++)
-            {
-                uo += qo[d]*n[d];
-                ur += qr[d]*n[d];
-            }
-            uo = owned*uo + (1 - owned)*ur;
-            ur = owned < 1 ? uo : ur;
+            const faceVelocities u = normalVelocities(f);
+            const double uo = owned*u.owner + (1 - owned)*u.far;
+            const double ur = owned < 1 ? uo : u.far;
             const double ar = soundSpeed_[r];
             const double ao = owned < 1 ? ar : soundSpeed_[o];
             const double ap = max(max(uo + ao, ur + ar), 0.0);
             const double am = min(min(uo - ao, ur - ar), 0.0);
             const double share = ap/(ap - am);
-            const double flux =
+            faceLambda_[f] =
                 max(mag(share*(uo - am)), mag((1 - share)*(ur - ap)))
                *geometry_.area[f];
-
-            lambda[o] += flux;
-            if (f < geometry_.nInternal())
-            {
-                lambda[r] += flux;
-            }
         }
     };
 
@@ -189,4 +190,5 @@ void Foam::gasEquations::centralRadius(std::vector<double>& lambda) const
             patch.coupled ? 1 : patch.image() ? 0.5 : 0
         );
     }
+    sumOverFaces(faceLambda_, lambda);
 }

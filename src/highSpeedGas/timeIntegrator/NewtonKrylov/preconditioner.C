@@ -458,9 +458,7 @@ void Foam::NewtonKrylov::addDiffusion()
             const double* qo = primitive + o*nVar;
             const double* qr = primitive + r*nVar;
 
-            double mu;
-            double lambda;
-            gas_.transport(f, mu, lambda);
+            const gasEquations::faceTransport t = gas_.transport(f);
             const double share = mesh.area[f]/mesh.normalDistance[f];
             const bool inner = f < mesh.nInternal();
 
@@ -470,12 +468,12 @@ void Foam::NewtonKrylov::addDiffusion()
             {
                 u[d] = inner ? 0.5*(qo[2 + d] + qr[2 + d]) : qr[2 + d];
             }
-            frictionJacobian<nDim>(qo, u, n, mu, lambda, eos, D);
+            frictionJacobian<nDim>(qo, u, n, t.mu, t.lambda, eos, D);
             add(diagonal_[rowOf_[o]], o, o, share, D);
             if (inner)
             {
                 add(farBlock_[f], r, o, -share, D);
-                frictionJacobian<nDim>(qr, u, n, mu, lambda, eos, D);
+                frictionJacobian<nDim>(qr, u, n, t.mu, t.lambda, eos, D);
                 add(diagonal_[rowOf_[r]], r, r, share, D);
                 add(ownerBlock_[f], o, r, -share, D);
             }
