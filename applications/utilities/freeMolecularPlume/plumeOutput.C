@@ -3,11 +3,12 @@
 \*---------------------------------------------------------------------------*/
 
 #include "plumeOutput.H"
-#include "textFile.H"
+#include "csvFile.H"
 
 #include "OSspecific.H"
 
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 namespace
@@ -18,20 +19,6 @@ using namespace Foam;
 typedef impact::plumeGrid grid;
 typedef impact::plumeStatistics statistics;
 typedef statistics::estimate estimate;
-
-//- What is not known stands as an empty field
-void field(textFile& f, bool known, double value)
-{
-    if (known)
-    {
-        f.print(",%.9g", value);
-    }
-    else
-    {
-        f.print(",");
-    }
-}
-
 
 //- Names of the coordinates in the tables
 const char* coordinates(grid::gridType type)
@@ -61,12 +48,16 @@ void writeTable
     const statistics& s
 )
 {
-    textFile f(file);
-    f.print
+    csvFile f
     (
-        "%s,group,numberDensity,numberDensityError,temperature,"
-        "temperatureError,testParticles\n",
+        file,
         coordinates(g.type())
+      + std::string
+        (
+            ",group,numberDensity,numberDensityError,temperature,"
+            "temperatureError,testParticles"
+        ),
+        9
     );
     const double degrees = 180/M_PI;
     for (int m = firstGroup(s); m < s.nGroups(); ++m)
@@ -77,31 +68,31 @@ void writeTable
             const int k = c/g.n(0)/g.n(1);
             const double a = g.coordinate(0, i + 0.5);
             const double b = g.coordinate(1, j + 0.5);
-            f.print("%.9g", a);
+            f.add(a);
             if (g.type() == grid::gridType::sphere)
             {
-                f.print
-                (
-                    ",%.9g,%.9g", degrees*b,
-                    degrees*g.coordinate(2, k + 0.5)
-                );
+                f.add(degrees*b);
+                f.add(degrees*g.coordinate(2, k + 0.5));
             }
             else if (g.type() != grid::gridType::axis)
             {
-                f.print(",%.9g", b);
+                f.add(b);
             }
             const estimate n = s.numberDensity(number, m, c);
             const estimate T = s.temperature(number, m, c);
-            f.print(",%d,%.9g,%.9g", m + 1, n.value, n.error);
-            field(f, T.n > 0, T.value);
-            field(f, T.n > 1, T.error);
-            f.print(",%lld\n", static_cast<long long>(n.n));
+            f.add(m + 1);
+            f.add(n.value);
+            f.add(n.error);
+            f.add(T.n > 0, T.value);
+            f.add(T.n > 1, T.error);
+            f.row(n.n);
         }
     }
 }
 
 
-//- Numbers in the byte order of VTK files
+//- Numbers in the byte order of VTK files. OpenFOAM's own formatters narrow
+//  them to floats, too coarse for places in a grid of 100 km and for counts.
 template<class Type>
 class bigEndian
 {
@@ -248,56 +239,49 @@ void writeGroups
     const impact::plumeSource& source
 )
 {
-    textFile f(file);
-    f.print("diameter,nearEdge,farEdge");
     const std::vector<double>& stations = s.settings().stations;
+    auto column = [](const char* name, double station)
+    {
+        char text[80];
+        std::snprintf(text, sizeof(text), ",%s_%.9gkm", name, 1e-3*station);
+        return std::string(text);
+    };
+    std::string header("diameter,nearEdge,farEdge");
     for (const double x : stations)
     {
-        f.print(",spreadRadius_%.9gkm", 1e-3*x);
+        header += column("spreadRadius", x);
     }
-    f.print(",meanTemperature,meanTemperatureError,group,emitted,"
-        "testParticles");
+    header += ",meanTemperature,meanTemperatureError,group,emitted,"
+        "testParticles";
     for (const double x : stations)
     {
-        f.print
-        (
-            ",spreadRadiusError_%.9gkm,testParticles_%.9gkm", 1e-3*x, 1e-3*x
-        );
+        header += column("spreadRadiusError", x) + column("testParticles", x);
     }
-    f.print("\n");
+    csvFile f(file, header);
     for (int m = 0; m < s.nGroups(); ++m)
     {
         const bool some = s.sampled(m) > 0;
-        f.print("%.9g", source.groups()[m].diameter);
-        field(f, some, s.quantile(m, 0.001));
-        field(f, some, s.quantile(m, 0.999));
+        f.add(source.groups()[m].diameter);
+        f.add(some, s.quantile(m, 0.001));
+        f.add(some, s.quantile(m, 0.999));
+        std::vector<estimate> radii;
         for (std::size_t i = 0; i < stations.size(); ++i)
         {
-            const estimate r = s.radius(m, int(i), 0.99);
-            field(f, r.n > 0, r.value);
+            radii.push_back(s.radius(m, int(i), 0.99));
+            f.add(radii.back().n > 0, radii.back().value);
         }
         const estimate T = s.temperature(m);
-        if (T.n > 0)
+        f.add(T.n > 0, T.value);
+        f.add(T.n > 1, T.error);
+        f.add(m + 1);
+        f.add(s.settings().emitted[m]);
+        f.add(s.sampled(m));
+        for (const estimate& r : radii)
         {
-            f.print(",%.12g", T.value);
+            f.add(r.n > 1, r.error);
+            f.add(r.n);
         }
-        else
-        {
-            f.print(",");
-        }
-        field(f, T.n > 1, T.error);
-        f.print
-        (
-            ",%d,%.12g,%lld", m + 1, s.settings().emitted[m],
-            static_cast<long long>(s.sampled(m))
-        );
-        for (std::size_t i = 0; i < stations.size(); ++i)
-        {
-            const estimate r = s.radius(m, int(i), 0.99);
-            field(f, r.n > 1, r.error);
-            f.print(",%lld", static_cast<long long>(r.n));
-        }
-        f.print("\n");
+        f.end();
     }
 }
 
@@ -325,13 +309,13 @@ void Foam::writePlume
     }
     writeGroups(folder/"groups.csv", s, *settings.source);
 
-    textFile f(folder/"summary.csv");
+    csvFile f(folder/"summary.csv", "quantity,value,unit");
     auto row = [&](const word& name, double value, const char* unit)
     {
         // No row without a value: no equilibrium, or nothing to err
         if (std::isfinite(value))
         {
-            f.print("%s,%.12g,%s\n", name.c_str(), value, unit);
+            f.row(name, value, unit);
         }
     };
     const double N = double(s.sampled());
@@ -340,7 +324,6 @@ void Foam::writePlume
     {
         emitted += n;
     }
-    f.print("quantity,value,unit\n");
     row("time", settings.time, "s");
     row("testParticles", N, "1");
     row("realParticles", emitted, "1");

@@ -4,8 +4,7 @@
 
 #include "jkrImpactOutput.H"
 
-#include "OFstream.H"
-#include "finishFile.H"
+#include "csvFile.H"
 #include "OSspecific.H"
 
 #include <stdexcept>
@@ -15,63 +14,6 @@ namespace
 {
 
 using namespace Foam;
-
-//- A file of comma-separated values
-class csvFile
-{
-    OFstream os_;
-
-    void put(const std::string& text)
-    {
-        os_.writeQuoted(text, false);
-    }
-
-    // (writeQuoted takes a length in the place of the switch since v2312)
-    void put(const char* text)
-    {
-        put(std::string(text));
-    }
-
-    void put(scalar value)
-    {
-        os_ << value;
-    }
-
-    void put(bool value)
-    {
-        os_ << int(value);
-    }
-
-
-public:
-
-    csvFile(const fileName& name, const char* header)
-    :
-        os_(name)
-    {
-        if (!os_.good())
-        {
-            failedFile(name, errno);
-        }
-        os_.precision(12);
-        put(header);
-        os_ << nl;
-    }
-
-    ~csvFile()
-    {
-        finishFile(os_);
-    }
-
-    template<class First, class... Rest>
-    void row(const First& first, const Rest&... rest)
-    {
-        put(first);
-        ((os_ << ',', put(rest)), ...);
-        os_ << nl;
-    }
-};
-
 
 //- The rows of summary.csv, also on the screen
 class summaryFile

@@ -3,7 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "scatteringOutput.H"
-#include "textFile.H"
+#include "csvFile.H"
 
 #include "OSspecific.H"
 #include "scatteringTable.H"
@@ -21,29 +21,19 @@ void Foam::writeScattering
     mkDir(folder);
     const int n = s.nBins();
     {
-        textFile f(folder/"F.csv");
-        f.print("alpha2_deg,F_per_rad,stdError\n");
+        csvFile f(folder/"F.csv", "alpha2_deg,F_per_rad,stdError", 10);
         for (int i = 0; i < n; ++i)
         {
-            f.print
-            (
-                "%.10g,%.10g,%.10g\n",
-                s.alphaCentre(i), s.F(i), s.standardError(i)
-            );
+            f.row(s.alphaCentre(i), s.F(i), s.standardError(i));
         }
     }
     {
-        textFile f(folder/"I.csv");
-        f.print("alpha2_deg,beta2_deg,I\n");
+        csvFile f(folder/"I.csv", "alpha2_deg,beta2_deg,I", 10);
         for (int i = 0; i < n; ++i)
         {
             for (int j = 0; j < n; ++j)
             {
-                f.print
-                (
-                    "%.10g,%.10g,%.10g\n",
-                    s.alphaCentre(i), s.betaCentre(j), s.I(i, j)
-                );
+                f.row(s.alphaCentre(i), s.betaCentre(j), s.I(i, j));
             }
         }
     }
@@ -54,12 +44,11 @@ void Foam::writeScattering
     const double all =
         double(s.count(S::impacts) + s.count(S::microImpacts));
     const double perImpact = all > 0 ? 1/all : 0;
-    textFile f(folder/"summary.csv");
+    csvFile f(folder/"summary.csv", "quantity,value");
     auto row = [&](const char* name, double value)
     {
-        f.print("%s,%.12g\n", name, value);
+        f.row(name, value);
     };
-    f.print("quantity,value\n");
     row("nParticles", N);
     row("meanAlpha2_deg", s.meanAlpha());
     row("sdAlpha2_deg", s.deviationAlpha());

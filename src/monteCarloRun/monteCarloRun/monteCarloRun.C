@@ -4,7 +4,7 @@
 
 #include "monteCarloRun.H"
 #include "plotResults.H"
-#include "textFile.H"
+#include "csvFile.H"
 
 #include "IFstream.H"
 #include "OSspecific.H"
@@ -49,15 +49,10 @@ void Foam::writeConvergence
     const std::vector<convergencePoint>& points
 )
 {
-    textFile f(file);
-    f.print("N,largestRelativeStdError,cpuSeconds\n");
+    csvFile f(file, "N,largestRelativeStdError,cpuSeconds", 6);
     for (const convergencePoint& p : points)
     {
-        f.print
-        (
-            "%lld,%.6g,%.6g\n",
-            static_cast<long long>(p.N), p.error, p.cpuSeconds
-        );
+        f.row(p.N, p.error, p.cpuSeconds);
     }
 }
 

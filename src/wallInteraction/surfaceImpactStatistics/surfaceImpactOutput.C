@@ -6,8 +6,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "surfaceImpactStatistics.H"
-#include "OFstream.H"
-#include "finishFile.H"
+#include "csvFile.H"
 #include "OSspecific.H"
 #include "PstreamReduceOps.H"
 #include "calculatedFvPatchFields.H"
@@ -179,27 +178,24 @@ void Foam::surfaceImpactStatistics::writeTable
        /mesh_.time().timeName()
     );
     mkDir(folder);
-    OFstream os(folder/name);
-    os.precision(12);
-
     // Five results, the parcels, their errors; then each with its error
     const label nLeading = 5;
     const std::vector<result>& all = results_;
-    os  << firstColumn.c_str();
+    std::string header(firstColumn);
     for (label i = 0; i < nLeading; ++i)
     {
-        os  << ',' << all[i].column(false);
+        header += ',' + all[i].column(false);
     }
-    os  << ",nImpacts";
+    header += ",nImpacts";
     for (label i = 0; i < nLeading; ++i)
     {
-        os  << ',' << all[i].column(true);
+        header += ',' + all[i].column(true);
     }
     for (label i = nLeading; i < nResults(); ++i)
     {
-        os  << ',' << all[i].column(false) << ',' << all[i].column(true);
+        header += ',' + all[i].column(false) + ',' + all[i].column(true);
     }
-    os  << ",area,reboundKnown\n";
+    csvFile file(folder/name, header + ",area,reboundKnown");
 
     for (const label item : items)
     {
@@ -209,38 +205,34 @@ void Foam::surfaceImpactStatistics::writeTable
         }
         if (angle_ && item < angle_->size())
         {
-            os  << angle_->centre(item);
+            file.add(angle_->centre(item));
         }
         else
         {
             const label nBins = angle_ ? angle_->size() : 0;
-            os  << mesh_.boundaryMesh()[patches_[item - nBins]].name().c_str();
+            file.add(mesh_.boundaryMesh()[patches_[item - nBins]].name());
         }
 
         const auto value = [&](const label i)
         {
-            os  << ',';
-            if (known(*bins_, item, all[i]))
-            {
-                os  << estimate(*bins_, item, all[i], areas_[item]).value;
-            }
+            file.add
+            (
+                known(*bins_, item, all[i]),
+                estimate(*bins_, item, all[i], areas_[item]).value
+            );
         };
         const auto error = [&](const label i)
         {
-            os  << ',';
             const scalar e =
                 estimate(*bins_, item, all[i], areas_[item]).error;
-            if (known(*bins_, item, all[i]) && e >= 0)
-            {
-                os  << e;
-            }
+            file.add(known(*bins_, item, all[i]) && e >= 0, e);
         };
 
         for (label i = 0; i < nLeading; ++i)
         {
             value(i);
         }
-        os  << ',' << bins_->sum(item, IMPACTS);
+        file.add(bins_->sum(item, IMPACTS));
         for (label i = 0; i < nLeading; ++i)
         {
             error(i);
@@ -250,10 +242,8 @@ void Foam::surfaceImpactStatistics::writeTable
             value(i);
             error(i);
         }
-        os  << ',' << areas_[item] << ','
-            << label(bins_->sum(item, REBOUND_UNKNOWN) == 0) << '\n';
+        file.row(areas_[item], bins_->sum(item, REBOUND_UNKNOWN) == 0);
     }
-    finishFile(os);
 }
 
 
