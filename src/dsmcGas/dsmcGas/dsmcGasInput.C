@@ -107,7 +107,7 @@ void Foam::dsmcGas::readCollisions()
     const word exchangeCoeffs("LarsenBorgnakkeVariableHardSphereCoeffs");
     const word elasticCoeffs("VariableHardSphereCoeffs");
 
-    // Those of the model that is not chosen may stay, but not misspelt
+    // Coefficients of the model not selected are allowed, misspelt ones not
     refuseOthers(properties_.subOrEmptyDict(elasticCoeffs), {"Tref"});
     refuseOthers
     (

@@ -404,7 +404,7 @@ void Foam::highSpeedGas::setDeltaT(Time& runTime)
         return;
     }
 
-    const scalar stable = march_->centralStep(stepCo_);
+    const scalar stable = timeIntegrator_->centralStep(stepCo_);
     const scalar largest =
         runTime.controlDict().getOrDefault<scalar>("maxDeltaT", GREAT);
 
@@ -464,7 +464,7 @@ bool Foam::highSpeedGas::findSteadyState
 
 void Foam::highSpeedGas::setEquations(const bool restarts)
 {
-    march_.clear();
+    timeIntegrator_.clear();
     equations_.clear();
     equations_.reset
     (
@@ -473,7 +473,7 @@ void Foam::highSpeedGas::setEquations(const bool restarts)
             mesh_, *thermo_, U_, rho_, phi_, viscous_, restarts
         )
     );
-    march_.reset(new RungeKutta(*equations_, stages_));
+    timeIntegrator_.reset(new RungeKutta(*equations_, stages_));
     publish(restarts);
 }
 
@@ -600,7 +600,7 @@ bool Foam::highSpeedGas::solve()
         {
             equations_->storeOldTime();
             const label n =
-                march_->advance(mesh_.time().deltaTValue(), maxCo_);
+                timeIntegrator_->advance(mesh_.time().deltaTValue(), maxCo_);
             if (n > 1)
             {
                 Info<< "Gas: " << n << " steps" << endl;

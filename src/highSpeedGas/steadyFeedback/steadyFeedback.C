@@ -185,7 +185,7 @@ void Foam::steadyFeedback::setShare
     (
         1e3*max(min(ideal, most), min(0.5*share_, most))
     );
-    share_ = max(share_, min(relaxation_, leastShare));
+    share_ = max(share_, min(relaxation_, minShare));
 }
 
 

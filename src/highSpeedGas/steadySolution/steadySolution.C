@@ -72,12 +72,12 @@ void Foam::steadySolution::report(const char* method, const scalar Co) const
 }
 
 
-void Foam::steadySolution::marchExplicitly()
+void Foam::steadySolution::integrateExplicitly()
 {
-    RungeKutta march(equations_, settings_.stages);
+    RungeKutta integrator(equations_, settings_.stages);
     do
     {
-        march.localStep(settings_.maxCo);
+        integrator.localStep(settings_.maxCo);
         iterated();
         equations_.computeRate();
         report("explicit", settings_.maxCo);
@@ -135,7 +135,7 @@ void Foam::steadySolution::approach
 bool Foam::steadySolution::converge(NewtonKrylov& newton)
 {
     const label patience = 200;
-    const label mostUnsolved = 4;
+    const label maxUnsolved = 4;
     label nUnsolved = 0;
     scalar best = GREAT;
     label bestIteration = iterations_;
@@ -172,7 +172,7 @@ bool Foam::steadySolution::converge(NewtonKrylov& newton)
         // Courant numbers that would pay. The sweeps damp that mode.
         if (!newton.solved() && Co <= 0.2*settings_.maxCo)
         {
-            if (++nUnsolved == mostUnsolved)
+            if (++nUnsolved == maxUnsolved)
             {
                 return false;
             }
@@ -261,7 +261,7 @@ bool Foam::steadySolution::solve(const bool near)
     }
     else
     {
-        marchExplicitly();
+        integrateExplicitly();
     }
 
     Info<< "Gas: balance of mass " << imbalance_.massBalance

@@ -113,7 +113,7 @@ void Foam::sourceSmoothing::spread(scalarField& source)
 {
     // Conjugate gradients with the diagonal; phi_ holds the direction, which
     // alone is needed beyond the boundaries
-    const label mostIterations = 1000;
+    const label maxIterations = 1000;
     const scalar tolerance = 1e-13;
 
     scalarField& direction = phi_.primitiveFieldRef();
@@ -128,7 +128,7 @@ void Foam::sourceSmoothing::spread(scalarField& source)
     const scalar enough =
         sqr(tolerance)*gSumProd(source, scalarField(source/diagonal_));
     scalarField image(source.size());
-    for (label i = 0; i < mostIterations && rz > enough; ++i)
+    for (label i = 0; i < maxIterations && rz > enough; ++i)
     {
         image = V*direction;
         addFluxes(-1, image);

@@ -15,7 +15,7 @@
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<class CloudType>
-const Foam::scalar Foam::CrossSectionInjection<CloudType>::mostParcels = 1e9;
+const Foam::scalar Foam::CrossSectionInjection<CloudType>::maxParcels = 1e9;
 
 
 template<class CloudType>
@@ -258,12 +258,12 @@ void Foam::CrossSectionInjection<CloudType>::setEntry()
     // No memory holds them
     const scalar perStep =
         rate_*this->owner().db().time().deltaTValue();
-    if (!(perStep < mostParcels))
+    if (!(perStep < maxParcels))
     {
         refuse
         (
             this->coeffDict(), "volumeFraction", stream_.parcelDensity(),
-            "of parcels per m3 (here the value): fewer than ", mostParcels,
+            "of parcels per m3 (here the value): fewer than ", maxParcels,
             " parcels that enter in a time step, not ", perStep,
             "; raise nParticle"
         );
@@ -504,11 +504,11 @@ Foam::CrossSectionInjection<CloudType>::CrossSectionInjection
         const scalar n =
             cmptMin(box_.span()) > 0
           ? box_.volume()*stream_.parcelDensity() : 0;
-        if (!(n < mostParcels))
+        if (!(n < maxParcels))
         {
             refuse
             (
-                prefill, "box", box_, "with fewer than ", mostParcels,
+                prefill, "box", box_, "with fewer than ", maxParcels,
                 " parcels, not ", n, "; raise nParticle"
             );
         }

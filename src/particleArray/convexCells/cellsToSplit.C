@@ -12,7 +12,7 @@ namespace
     const scalar tolerance = 1e-6;
 
     // Least difference of the normals of two faces of a whole cell
-    const scalar leastTurn = 1e-3;
+    const scalar minTurn = 1e-3;
 }
 
 
@@ -73,7 +73,7 @@ Foam::boolList Foam::convexCells::cellsToSplit() const
             for (const vector& other : normals)
             {
                 split[celli] =
-                    split[celli] || magSqr(n - other) < sqr(leastTurn);
+                    split[celli] || magSqr(n - other) < sqr(minTurn);
             }
             normals.append(n);
         }

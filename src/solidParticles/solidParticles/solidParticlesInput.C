@@ -344,7 +344,7 @@ void Foam::solidParticles::warnOfLightParticles()
     scalarList least;
     forAll(groups_, g)
     {
-        least.append(exchange_->leastNumber(g, gas_.weight()));
+        least.append(exchange_->minNumber(g, gas_.weight()));
     }
     label nLight = 0;
     const solidData& data = particles_.payload();

@@ -56,8 +56,8 @@ void Foam::solidParticles::report()
         reduce(x, sumOp<scalar>());
         *value = std::int64_t(x + 0.5);
     }
-    reduce(c.greatestHits, maxOp<scalar>());
-    reduce(c.leastForce, minOp<scalar>());
+    reduce(c.maxHits, maxOp<scalar>());
+    reduce(c.minForce, minOp<scalar>());
     impact::solidExchange::gains g = gains_;
     sumOverProcessors(g.solids);
     sumOverProcessors(g.gas);
@@ -82,10 +82,10 @@ void Foam::solidParticles::report()
         << " real ones, " << now.mass << " kg" << nl
         << "    solids gain: " << perTime*fromCore(g.solids.momentum)
         << " N, " << perTime*g.solids.energy << " W" << nl;
-    if (c.leastForce < 1)
+    if (c.minForce < 1)
     {
         Info<< "    least force over the free-molecular one: "
-            << c.leastForce << nl;
+            << c.minForce << nl;
     }
     if (exchange_->twoWay())
     {
@@ -94,7 +94,7 @@ void Foam::solidParticles::report()
             << perTime*g.gas.energy << " W" << nl
             << "    collisions with solids: " << c.collisions << " of "
             << c.candidates << " candidates; greatest number of hits of a"
-            << " molecule in a step: " << c.greatestHits << nl;
+            << " molecule in a step: " << c.maxHits << nl;
         if (c.light)
         {
             Info<< "    particles that exchange by the cell, in the steps: "

@@ -440,8 +440,8 @@ void Foam::SpinningCloud<CloudType>::info()
         reduce(sum, sumOp<scalar>());
     }
 
-    const scalar mostForces =
-        returnReduce(statistics_.mostForces, maxOp<scalar>());
+    const scalar maxForces =
+        returnReduce(statistics_.maxForces, maxOp<scalar>());
 
     if (rotation_)
     {
@@ -491,7 +491,7 @@ void Foam::SpinningCloud<CloudType>::info()
     {
         Info<< "    Sub-steps, forces per sub-step  = " << sums[5] << ", "
             << sums[6]/max(sums[5], scalar(1)) << nl
-            << "    Most forces between two faces   = " << mostForces << nl
+            << "    Most forces between two faces   = " << maxForces << nl
             << "    uncontrolled, at rest           = " << sums[7] << ", "
             << sums[8] << nl;
     }

@@ -107,8 +107,8 @@ template<class ParcelType>
 template<class CloudType>
 void Foam::SpinningParcel<ParcelType>::writeFields(const CloudType& c)
 {
-    // Those of the kinematic parcel one by one, too: its own function has
-    // all of them in the memory at the same time
+    // Write the fields of the kinematic parcel one by one, too: its own
+    // function has all of them in memory at the same time
     particle::writeFields(c);
     typedef SpinningParcel<ParcelType> parcel;
     const auto write = [&](const auto& name, const auto& value)

@@ -198,8 +198,8 @@ void Foam::BlockMotion<CloudType, Force>::follow(const int i)
         cell_[i] = cells_.behind(place, x);
         enter(i);
         f.place = place;
-        statistics.mostForces =
-            max(statistics.mostForces, scalar(f.nForces));
+        statistics.maxForces =
+            max(statistics.maxForces, scalar(f.nForces));
         f.nForces = 0;
         hTry = GREAT;
     }
@@ -209,8 +209,8 @@ void Foam::BlockMotion<CloudType, Force>::follow(const int i)
      || f.nForces > stepToFace::maxForces - 2*stepToFace::kept;
     if (f.over)
     {
-        statistics.mostForces =
-            max(statistics.mostForces, scalar(f.nForces));
+        statistics.maxForces =
+            max(statistics.maxForces, scalar(f.nForces));
     }
 }
 

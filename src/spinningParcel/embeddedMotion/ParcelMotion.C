@@ -318,7 +318,7 @@ bool Foam::ParcelMotion<CloudType, Force>::move()
     td_.switchProcessor = false;
     td_.keepParticle = true;
     force_.parcel(p_, td_);
-    scalar& mostForces = cloud_.statistics().mostForces;
+    scalar& maxForces = cloud_.statistics().maxForces;
 
     while (td_.keepParticle && !td_.switchProcessor && p_.stepFraction() < 1)
     {
@@ -368,13 +368,13 @@ bool Foam::ParcelMotion<CloudType, Force>::move()
         {
             // Nothing is carried from cell to cell, so that a face between two
             // ranks is like any other
-            mostForces =
-                max(mostForces, scalar(stepToFace::maxForces - left_));
+            maxForces =
+                max(maxForces, scalar(stepToFace::maxForces - left_));
             left_ = stepToFace::maxForces;
             hTry_ = GREAT;
         }
     }
-    mostForces = max(mostForces, scalar(stepToFace::maxForces - left_));
+    maxForces = max(maxForces, scalar(stepToFace::maxForces - left_));
 
     if (td_.keepParticle && !td_.switchProcessor && p_.stepFraction() >= 1)
     {

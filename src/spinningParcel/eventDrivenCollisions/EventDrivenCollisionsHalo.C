@@ -232,7 +232,7 @@ template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::handOn()
 {
     post out(Pstream::nProcs());
-    for (std::size_t i = 0; i < courses_.size(); ++i)
+    for (std::size_t i = 0; i < freeMotions_.size(); ++i)
     {
         const trajectory* c = known(i);
         if (c && c->handedOn)
@@ -259,7 +259,7 @@ void Foam::EventDrivenCollisions<CloudType>::makeHalo()
     {
         return boxOf(path(i), radius(i));
     };
-    const std::int32_t own = courses_.size();
+    const std::int32_t own = freeMotions_.size();
     reach_ = 0;
     for (std::int32_t i = 0; i < own; ++i)
     {

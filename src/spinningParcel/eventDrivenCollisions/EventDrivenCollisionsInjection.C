@@ -14,7 +14,7 @@ template<class CloudType>
 typename Foam::EventDrivenCollisions<CloudType>::member
 Foam::EventDrivenCollisions<CloudType>::memberOf(const std::int32_t i) const
 {
-    const course& q = courses_[i];
+    const freeMotion& q = freeMotions_[i];
     const parcelType& p = *q.parcel;
     return
     {
@@ -34,9 +34,9 @@ Foam::EventDrivenCollisions<CloudType>::injectedUpon(const vicinity& ofNew)
     std::vector<std::int32_t> own;
     std::vector<member> others;
     post out(Pstream::nProcs());
-    for (std::size_t i = 0; i < courses_.size(); ++i)
+    for (std::size_t i = 0; i < freeMotions_.size(); ++i)
     {
-        const course& q = courses_[i];
+        const freeMotion& q = freeMotions_[i];
         if (!q.injected && !all && !ofNew.near(q.parcel->position()))
         {
             continue;
@@ -205,7 +205,7 @@ void Foam::EventDrivenCollisions<CloudType>::admitInjected()
 
     // Others matter near new parcels only, or at the ends of a period
     vicinity ofNew(bounds_, directions_);
-    for (const course& q : courses_)
+    for (const freeMotion& q : freeMotions_)
     {
         if (q.injected)
         {

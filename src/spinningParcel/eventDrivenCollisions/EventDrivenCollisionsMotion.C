@@ -173,7 +173,7 @@ bool Foam::EventDrivenCollisions<CloudType>::rest(flight& f, mission& m)
     }
 
     m.left *= p.track(m.left*m.way, 0);
-    if (m.left > 0 && atPass(p) && m.hops < maxHops)
+    if (m.left > 0 && atPass(p) && m.crossings < maxCrossings)
     {
         return false;
     }
@@ -214,7 +214,7 @@ bool Foam::EventDrivenCollisions<CloudType>::endRest(flight& f, mission& m)
             m.way = p.position();
         }
         m.left *= p.track(m.left*pause*p.U(), 0);
-        if (m.left > 0 && atPass(p) && m.hops < maxHops)
+        if (m.left > 0 && atPass(p) && m.crossings < maxCrossings)
         {
             return false;
         }
@@ -292,7 +292,7 @@ bool Foam::EventDrivenCollisions<CloudType>::arrive(flight& f, mission& m)
             p.track(way - 1e-6*mag(way)*n, 0);
         }
     }
-    if (atPass(p) && m.hops < maxHops)
+    if (atPass(p) && m.crossings < maxCrossings)
     {
         return false;
     }
@@ -320,7 +320,7 @@ bool Foam::EventDrivenCollisions<CloudType>::displace(flight& f, mission& m)
     {
         land(p);
         m.left *= p.track(m.left*m.way, 0);
-        if (m.left > 0 && atPass(p) && m.hops < maxHops)
+        if (m.left > 0 && atPass(p) && m.crossings < maxCrossings)
         {
             return false;
         }

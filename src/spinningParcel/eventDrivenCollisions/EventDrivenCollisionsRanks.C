@@ -121,7 +121,7 @@ void Foam::EventDrivenCollisions<CloudType>::pack
     const label patch = p.patch();
     r.toRank = exchangeTo_[patch];
     r.toPatch = passPatch_[patch];
-    ++r.m.hops;
+    ++r.m.crossings;
     r.m.keep = f.keep;
 
     const typename parcelType::place here(p);
@@ -395,7 +395,7 @@ void Foam::EventDrivenCollisions<CloudType>::follow
         }
     }
     m = out.m;
-    if (m.kind == REST && m.halt && m.hops > 0)
+    if (m.kind == REST && m.halt && m.crossings > 0)
     {
         mission stop(DISPLACE, m.t);
         stop.setU = true;

@@ -338,7 +338,7 @@ TEST(solidExchange, spheresTooLightToBeBodiesAreSparedTheNoise)
     for (const double ratio : {1e-6, 0.03, 1., 9.9, 11.})
     {
         const double N = ratio*weight*k/(900*mass);
-        const bool light = ratio < solidExchange::leastCapacity;
+        const bool light = ratio < solidExchange::minCapacity;
         cell c(60, 300, Tg, 4, Tp, N);
         solidExchange::counts counts;
         balance ledger;
@@ -367,7 +367,7 @@ TEST(solidExchange, spheresTooLightToBeBodiesAreSparedTheNoise)
     }
     EXPECT_NEAR
     (
-        exchange.leastNumber(0, weight)*mass*900/(weight*k),
+        exchange.minNumber(0, weight)*mass*900/(weight*k),
         std::max(10., 900*46.5e-27/k), 1e-9
     );
 }
@@ -610,8 +610,8 @@ TEST(solidExchange, keepsBalancesWhenCorrected)
             }
         }
         // It was far from free-molecular
-        EXPECT_LT(counts.leastForce, 0.5);
-        EXPECT_GT(counts.leastForce, 0);
+        EXPECT_LT(counts.minForce, 0.5);
+        EXPECT_GT(counts.minForce, 0);
         EXPECT_EQ(counts.collisions > 0, m == mode::perCell);
     }
     EXPECT_THROW

@@ -273,9 +273,9 @@ TEST(convexBody, rollsNoBallInsideThatIsLargerThanItself)
     for (int i = 1; i <= 1000; ++i)
     {
         const convexBody ball = convexBody::sphere(1e-6*i);
-        EXPECT_GE(ball.radius(), ball.leastCurvature());
-        EXPECT_NEAR(ball.leastCurvature()/ball.radius(), 1, 1e-15);
+        EXPECT_GE(ball.radius(), ball.minCurvature());
+        EXPECT_NEAR(ball.minCurvature()/ball.radius(), 1, 1e-15);
     }
     const convexBody egg = convexBody::ellipsoid({2, 1, 1});
-    EXPECT_NEAR(egg.leastCurvature(), 0.25, 1e-15);
+    EXPECT_NEAR(egg.minCurvature(), 0.25, 1e-15);
 }

@@ -52,8 +52,8 @@ impact::jkrImpact::jkrImpact
 void impact::jkrImpact::checkTimeStep(double speed) const
 {
     const double time = contact_.scales(speed).time;
-    const double least = overlapMarch::leastStep*time;
-    const double greatest = overlapMarch::greatestStep*time;
+    const double least = overlapMarch::minStep*time;
+    const double greatest = overlapMarch::maxStep*time;
     if (!(settings_.timeStep >= least && settings_.timeStep <= greatest))
     {
         std::ostringstream range;

@@ -126,9 +126,9 @@ impact::motionOutcome impact::jkrMotion::follow
     const double uB4 = fourth(curve.uB());
 
     // Speeds and energies below these do not matter to the outcome
-    const double leastSpeed = uB4*curve.uB();
+    const double minSpeed = uB4*curve.uB();
     const double settled = bottom + 1e-12*(barrier - bottom);
-    const double start = std::max(p0, leastSpeed);
+    const double start = std::max(p0, minSpeed);
     const bool noReturn = curve.beta() == 0 && alpha_ >= std::sqrt(5.);
 
     motionOutcome out = {true, 0, 0, uA, 0, 0, 0};
@@ -150,7 +150,7 @@ impact::motionOutcome impact::jkrMotion::follow
         step.attempt(rate, h);
         const integrator::state y = step.end();
         const double speed =
-            std::sqrt(std::max(localSpeed(y[0], y[1]), leastSpeed)*start);
+            std::sqrt(std::max(localSpeed(y[0], y[1]), minSpeed)*start);
         const double error =
             step.error({(5*fourth(y[0]) + uB4)/speed, 1/speed, 0, 0})
            /tolerance_;

@@ -21,7 +21,7 @@ impact::overlapMarch::overlapMarch
     step_(step),
     interpolate_(interpolate)
 {
-    checkRange("step", step, leastStep, greatestStep);
+    checkRange("step", step, minStep, maxStep);
 }
 
 

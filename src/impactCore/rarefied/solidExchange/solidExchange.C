@@ -234,12 +234,12 @@ void impact::solidExchange::scatter
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-double impact::solidExchange::leastNumber(int group, double weight) const
+double impact::solidExchange::minNumber(int group, double weight) const
 {
     return weight/sizes_[group].mass*std::fmax
     (
         heaviest_,
-        leastCapacity*maxwellian::boltzmann/material_.specificHeat
+        minCapacity*maxwellian::boltzmann/material_.specificHeat
     );
 }
 
@@ -276,7 +276,7 @@ impact::solidExchange::gains impact::solidExchange::exchange
     {
         return
             mode_ == mode::perCollision
-         && solids.number[j] >= leastNumber(solids.group[j], weight);
+         && solids.number[j] >= minNumber(solids.group[j], weight);
     };
     int nBodies = 0;
     for (int j = 0; j < solids.n; ++j)
@@ -319,19 +319,19 @@ impact::solidExchange::gains impact::solidExchange::exchange
             if (correction_)
             {
                 f = correction_->of(s);
-                total.leastForce = std::fmin(total.leastForce, f.force);
+                total.minForce = std::fmin(total.minForce, f.force);
             }
             if (twoWay())
             {
                 hits += f.force*solids.number[j]*M_PI*shape.radius*shape.radius
                    *(mag(v0 - b.mean) + b.thermal)*deltaT/volume;
-                if (!(hits < mostHits))
+                if (!(hits < hitLimit))
                 {
                     throwOutOfRange
                     (
                         "hits that a molecule expects from solid particles in"
                         " a step",
-                        hits, "[0, ", mostHits, "), fewer particles or a"
+                        hits, "[0, ", hitLimit, "), fewer particles or a"
                         " shorter step"
                     );
                 }
@@ -365,7 +365,7 @@ impact::solidExchange::gains impact::solidExchange::exchange
                   + material_.specificHeat*(s.temperature - T0)
                 );
         }
-        total.greatestHits = std::fmax(total.greatestHits, hits);
+        total.maxHits = std::fmax(total.maxHits, hits);
     }
 
     if (twoWay() && (nOthers || !ledger.isZero()))

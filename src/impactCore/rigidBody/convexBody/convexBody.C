@@ -481,7 +481,7 @@ void impact::convexBody::setSpokes(const std::vector<edge>& between)
 }
 
 
-double impact::convexBody::leastCurvature() const
+double impact::convexBody::minCurvature() const
 {
     if (shape_ == shapeType::polyhedron)
     {

@@ -196,7 +196,7 @@ impact::wallDeparture impact::nonSphericalRebound::depart
     if (random)
     {
         const double speed = mag(V);
-        static const double least = std::sin(leastIncidence*pi/180);
+        static const double least = std::sin(minIncidence*pi/180);
         if (-V.y < least*speed)
         {
             const double along = std::hypot(V.x, V.z);

@@ -10,10 +10,10 @@
 template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::collect()
 {
-    courses_.clear();
+    freeMotions_.clear();
     flights_.clear();
     trajectories_.clear();
-    grow(courses_, cloud_.size());
+    grow(freeMotions_, cloud_.size());
     largest_ = 0;
     anyNew_ = false;
     label n = 0;
@@ -29,7 +29,7 @@ void Foam::EventDrivenCollisions<CloudType>::collect()
             checkNumber(p);
             largest_ = max(largest_, p.d());
             anyNew_ = anyNew_ || injected;
-            courses_.emplace_back(&p, injected);
+            freeMotions_.emplace_back(&p, injected);
         }
         else if (!p.move(cloud_, *td_, deltaT_))
         {
@@ -42,7 +42,7 @@ void Foam::EventDrivenCollisions<CloudType>::collect()
 template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::regroup()
 {
-    for (course& q : courses_)
+    for (freeMotion& q : freeMotions_)
     {
         if (q.flight >= 0)
         {
@@ -55,18 +55,18 @@ void Foam::EventDrivenCollisions<CloudType>::regroup()
     {
         if (f.parcel)
         {
-            courses_.emplace_back(f.parcel, f.injected);
+            freeMotions_.emplace_back(f.parcel, f.injected);
         }
     }
     flights_.clear();
-    courses_.erase
+    freeMotions_.erase
     (
         std::remove_if
         (
-            courses_.begin(), courses_.end(),
-            [](const course& q) { return !q.parcel; }
+            freeMotions_.begin(), freeMotions_.end(),
+            [](const freeMotion& q) { return !q.parcel; }
         ),
-        courses_.end()
+        freeMotions_.end()
     );
 }
 
@@ -80,19 +80,19 @@ Foam::EventDrivenCollisions<CloudType>::moveInBlocks()
     const bool spin = law_.spin();
     if (spin)
     {
-        grow(spins_, courses_.size());
-        spins_.resize(courses_.size());
+        grow(spins_, freeMotions_.size());
+        spins_.resize(freeMotions_.size());
     }
     cloud_.moveInBlocks
     (
         *td_,
         [&]() -> parcelType*
         {
-            if (i == courses_.size())
+            if (i == freeMotions_.size())
             {
                 return nullptr;
             }
-            course& q = courses_[i];
+            freeMotion& q = freeMotions_[i];
             parcelType& p = *q.parcel;
             p.fly(cloud_.cells());
             const typename parcelType::flight here(p.inFlight());
@@ -126,7 +126,7 @@ void Foam::EventDrivenCollisions<CloudType>::planAll()
     }
     else
     {
-        for (std::size_t i = 0; i < courses_.size(); ++i)
+        for (std::size_t i = 0; i < freeMotions_.size(); ++i)
         {
             at(i);
         }
@@ -143,7 +143,7 @@ template<class CloudType>
 typename Foam::EventDrivenCollisions<CloudType>::plannedCloud::state
 Foam::EventDrivenCollisions<CloudType>::startOf(const std::int32_t i) const
 {
-    const course& q = courses_[i];
+    const freeMotion& q = freeMotions_[i];
     typename plannedCloud::state start(*q.parcel);
     start.U = q.U;
     start.age = q.age;
@@ -173,7 +173,7 @@ std::int32_t Foam::EventDrivenCollisions<CloudType>::flightOf
     const std::int32_t i
 )
 {
-    course& q = courses_[i];
+    freeMotion& q = freeMotions_[i];
     if (q.flight < 0)
     {
         q.flight = flights_.size();
@@ -196,7 +196,7 @@ template<class CloudType>
 typename Foam::EventDrivenCollisions<CloudType>::trajectory&
 Foam::EventDrivenCollisions<CloudType>::at(const std::int32_t i)
 {
-    course& q = courses_[i];
+    freeMotion& q = freeMotions_[i];
     if (q.trajectory >= 0)
     {
         return trajectories_[q.trajectory];
@@ -234,10 +234,10 @@ std::int32_t Foam::EventDrivenCollisions<CloudType>::addOther
     const trajectory& c
 )
 {
-    courses_.emplace_back(nullptr, false);
-    courses_.back().trajectory = trajectories_.size();
+    freeMotions_.emplace_back(nullptr, false);
+    freeMotions_.back().trajectory = trajectories_.size();
     trajectories_.push_back(c);
-    return std::int32_t(courses_.size()) - 1;
+    return std::int32_t(freeMotions_.size()) - 1;
 }
 
 
