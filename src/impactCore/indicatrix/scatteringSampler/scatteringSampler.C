@@ -123,7 +123,7 @@ void impact::scatteringSampler::setSmoothBody()
     const double least = std::min(a, c), longest = std::max(a, c);
     const double skewed =
         (b.box ? R : R - least)*freeRotation::skewness(body);
-    b.bend = 1.0001*(R - body.leastCurvature() + skewed);
+    b.bend = 1.0001*(R - body.minCurvature() + skewed);
     b.sink = 1.0001*(longest*longest/least - least + skewed);
     b.normal = s.law.normal()(s.incidence, s.speed);
     b.tangential = s.law.other()(s.incidence, s.speed);

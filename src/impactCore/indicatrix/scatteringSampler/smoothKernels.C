@@ -104,7 +104,7 @@ impactInline void begin
     const double fastest =
         std::sqrt(V.x*V.x + V.y*V.y) + std::sqrt(w2)*R + 1e-100;
     const double reach = boundedReach(b.bend*w2, 0, fastest, R, 0, 0);
-    const double least = leastWay*R/fastest;
+    const double least = minAdvance*R/fastest;
     put(l.axisL, i, (1/nonZero(magL))*L);
     l.rateL[i] = magL/b.Jc;
     l.rateAxis[i] = ratio*w.x;
