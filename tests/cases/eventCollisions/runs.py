@@ -114,6 +114,14 @@ for motion in ("stock", "embeddedRK54"):
     verdict(motion + "_does_not_overlap",
             overlap < 1e-9*6e-6, f"{overlap:.3g} m")
 
+    # and it is none of those that the summary calls injected, and then lost
+    refused = int(re.findall(r"upon others .* in all (\d+), refused", log)[-1])
+    added = [int(n) for n in re.findall(r"- parcels added\s*= (\d+)", log)[-2:]]
+    row = re.search(r"^    sand( +\S+){6}$", log, re.M)[0].split()
+    verdict(motion + "_refused_are_not_injected",
+            refused > 0 and int(row[2]) == sum(added) - refused,
+            f"{row[2]} of {sum(added)}, {refused} refused")
+
     restarted = copy_case(motion, motion + "Restarted")
     edit(restarted, "system/controlDict", "endTime 8e-06", "endTime 4e-06")
     solve(restarted)
