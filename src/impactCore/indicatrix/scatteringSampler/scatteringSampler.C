@@ -418,8 +418,9 @@ void impact::scatteringSampler::sampleBlock
     scatteringStatistics& result
 ) const
 {
-    manyAtOnce_ ? sampleSmooth(first, n, w, result)
-      : sampleOneByOne(first, n, w, result);
+    manyAtOnce_
+  ? sampleSmooth(first, n, w, result)
+  : sampleOneByOne(first, n, w, result);
     double translation = 0, rotation = 0;
     for (const double* component : {w.Vx, w.Vy, w.Vz})
     {
