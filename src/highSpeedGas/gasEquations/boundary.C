@@ -177,6 +177,26 @@ void Foam::gasEquations::initialiseFlux()
 }
 
 
+bool Foam::gasEquations::sticks() const
+{
+    bool any = false;
+    for (size_t k = 0; viscous_ && k < geometry_.patches().size(); k++)
+    {
+        const gasMesh::patchRange& patch = geometry_.patches()[k];
+        if (patch.coupled || patch.image() || frictionless_[patch.patchi])
+        {
+            continue;
+        }
+        for (label i = 0; i < patch.size && !any; i++)
+        {
+            double un;
+            any = impermeable(k, patch.start + i, un);
+        }
+    }
+    return returnReduce(any, orOp<bool>());
+}
+
+
 bool Foam::gasEquations::impermeable
 (
     const label k,

@@ -271,7 +271,7 @@ void Foam::gasEquations::readFaces
         }
         block.weight[i] = geometry_.weight[f];
         state.shock[i] =
-            sensesShocks_
+            sensesShocks_ || flatShocks_
           ? shareInShock<nDim>
             (
                 qo, qr, g + o*(nVar*nDim), g + r*(nVar*nDim),

@@ -211,7 +211,7 @@ bool Foam::steadySolution::solve(const bool near)
 
     // Differences of 0.1 % between cells pass the limiter
     equations_.smoothLimiter(1e-3);
-    equations_.flattenShocks();
+    equations_.flattenShocks(true);
 
     if (settings_.implicit)
     {
@@ -246,6 +246,15 @@ bool Foam::steadySolution::solve(const bool near)
             if (!newton)
             {
                 newton.reset(new NewtonKrylov(equations_));
+
+                // Flat shocks would be felt where they meet a layer of
+                // friction: it would come off a plate before a ramp far too
+                // late
+                if (equations_.sticks())
+                {
+                    equations_.flattenShocks(false);
+                    equations_.computeRate();
+                }
             }
             if (!converge(*newton))
             {
