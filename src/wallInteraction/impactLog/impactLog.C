@@ -3,13 +3,13 @@
 \*---------------------------------------------------------------------------*/
 
 #include "impactLog.H"
+#include "csvLine.H"
 #include "finishFile.H"
 #include "OSspecific.H"
 #include "Pstream.H"
 #include "functionObject.H"
 
 #include <algorithm>
-#include <charconv>
 #include <cstring>
 #include <tuple>
 
@@ -18,59 +18,30 @@
 void Foam::impactLog::writeRecord(const record& r)
 {
     const wallImpact& i = r.impact;
-
-    // Streams spend several microseconds on a line. The shortest text that
-    // reads back as the same number has at most 24 characters.
-    char line[32*24];
-    char* at = line;
-    const auto put = [&at](const auto value)
+    impact::csvLine line;
+    const auto add = [&line](const bool known, const vector& v)
     {
-        at = std::to_chars(at, at + 24, value).ptr;
-        *at++ = ',';
-    };
-    const auto putVector = [&at, &put](const vector& v, const bool known)
-    {
-        for (const scalar x : {v.x(), v.y(), v.z()})
-        {
-            if (known)
-            {
-                put(x);
-            }
-            else
-            {
-                *at++ = ',';
-            }
-        }
+        line.add(known, v.x());
+        line.add(known, v.y());
+        line.add(known, v.z());
     };
 
-    put(r.step);
-    put(i.origProc);
-    put(i.origId);
-    put(i.time);
-    putVector(i.position, true);
-    putVector(i.U0, true);
-    put(i.d);
-    put(i.nParticle);
-    std::ostream& os = file_->stdStream();
-    os.write(line, at - line);
-    os  << patchNames_[i.patch].c_str() << ',';
-
-    at = line;
-    put(label(r.first));
-    putVector(i.omega0, r.spinKnown);
-    putVector(i.U1, r.reboundKnown);
-    putVector(i.omega1, r.reboundKnown);
-    if (r.reboundKnown)
-    {
-        put(label(i.captured));
-    }
-    else
-    {
-        *at++ = ',';
-    }
-    put(label(r.reboundKnown));
-    at[-1] = '\n';
-    os.write(line, at - line);
+    line.add(r.step);
+    line.add(i.origProc);
+    line.add(i.origId);
+    line.add(i.time);
+    add(true, i.position);
+    add(true, i.U0);
+    line.add(i.d);
+    line.add(i.nParticle);
+    line.add(patchNames_[i.patch]);
+    line.add(r.first);
+    add(r.spinKnown, i.omega0);
+    add(r.reboundKnown, i.U1);
+    add(r.reboundKnown, i.omega1);
+    line.add(r.reboundKnown, i.captured);
+    line.add(r.reboundKnown);
+    file_->stdStream() << line.take();
 }
 
 

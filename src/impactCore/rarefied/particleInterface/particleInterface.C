@@ -3,10 +3,10 @@
 \*---------------------------------------------------------------------------*/
 
 #include "particleInterface.H"
+#include "csvLine.H"
 #include "outOfRange.H"
 
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -25,19 +25,6 @@ const char* const columns[nColumns] =
 [[noreturn]] void complain(const std::string& file, const std::string& what)
 {
     throw std::invalid_argument(file + ": " + what);
-}
-
-
-//- The shortest of two forms that gives back the same bits
-void append(std::string& line, double x)
-{
-    char text[32];
-    std::snprintf(text, sizeof(text), "%.15g", x);
-    if (std::strtod(text, nullptr) != x)
-    {
-        std::snprintf(text, sizeof(text), "%.17g", x);
-    }
-    line += text;
 }
 
 
@@ -213,12 +200,12 @@ void impact::particleInterface::write
     {
         os << "# " << line << '\n';
     }
-    for (int i = 0; i < nColumns; ++i)
+    csvLine line;
+    for (const char* name : columns)
     {
-        os << (i ? "," : "") << columns[i];
+        line.add(name);
     }
-    os << '\n';
-    std::string line;
+    os << line.take();
     int n = 0;
     for (const record& r : records)
     {
@@ -229,14 +216,12 @@ void impact::particleInterface::write
             r.velocity.x, r.velocity.y, r.velocity.z,
             r.temperature, r.diameter, r.weight
         };
-        line.clear();
         for (int i = 0; i < nColumns; ++i)
         {
             check(file + ", writing record", n, i, values[i]);
-            append(line, values[i]);
-            line += i + 1 < nColumns ? ',' : '\n';
+            line.add(values[i]);
         }
-        os << line;
+        os << line.take();
     }
     os.flush();
     if (!os)
