@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "keplerOrbit.H"
+#include "bracketedRoot.H"
 #include "outOfRange.H"
 
 #include <algorithm>
@@ -88,16 +89,16 @@ void impact::keplerOrbit::move(vector3& r, vector3& v, double time) const
         const double sign = t < 0 ? -1 : 1;
         const double speed = std::max(mag(v), std::sqrt(mu_/r0));
         double far = 1/speed;
-        const double most =
+        const double farthest =
             beta < 0 ? 600/std::sqrt(-beta)
           : std::numeric_limits<double>::max();
         for (int i = 0; i < 200; ++i)
         {
-            far = std::min(far, most);
+            far = std::min(far, farthest);
             const universal g(beta, sign*far);
             const double reached =
                 r0*g.g1 + eta*g.g2 + mu_*g.g3;
-            if (sign*reached >= sign*t || far == most)
+            if (sign*reached >= sign*t || far == farthest)
             {
                 break;
             }
@@ -107,33 +108,16 @@ void impact::keplerOrbit::move(vector3& r, vector3& v, double time) const
         high = std::max(0., sign*far);
     }
 
-    double s = std::min(std::max(t/r0, low), high);
-    for (int i = 0; i < 100; ++i)
-    {
-        const universal g(beta, s);
-        const double error = r0*g.g1 + eta*g.g2 + mu_*g.g3 - t;
-        (error < 0 ? low : high) = s;
-        const double distance = r0 + eta*g.g1 + zeta*g.g2;
-
-        // Halley's step; the slope of the distance is eta G_0 + zeta G_1
-        const double bend = eta*(1 - beta*g.g2) + zeta*g.g1;
-        double step = 0;
-        if (distance > 0)
+    const double s = bracketedRoot
+    (
+        [&](double x)
         {
-            const double newton = -error/distance;
-            const double turn = 1 + 0.5*newton*bend/distance;
-            step = newton/std::max(turn, 0.5);
-        }
-        if (!(s + step > low && s + step < high) || distance <= 0)
-        {
-            step = 0.5*(low + high) - s;
-        }
-        s += step;
-        if (std::fabs(step) <= 4e-16*std::fabs(s))
-        {
-            break;
-        }
-    }
+            const universal g(beta, x);
+            return r0*g.g1 + eta*g.g2 + mu_*g.g3 - t;
+        },
+        low,
+        high
+    );
 
     const universal g(beta, s);
     const double distance = r0 + eta*g.g1 + zeta*g.g2;
