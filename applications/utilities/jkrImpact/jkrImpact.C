@@ -10,7 +10,7 @@ Group
 Description
     Normal impacts of a particle with JKR adhesion and viscous dissipation on
     a wall, another particle or a particle that adheres to a wall:
-    restitution, capture, course of the contact.
+    restitution, capture, motion during the contact.
 
 Usage
     \b jkrImpact [OPTION]
@@ -44,7 +44,7 @@ int main(int argc, char* argv[])
     argList::addNote
     (
         "Normal impacts with JKR adhesion and viscous dissipation:"
-        " restitution, capture, course of the contact"
+        " restitution, capture, motion during the contact"
     );
     argList::noParallel();
     argList::noFunctionObjects();

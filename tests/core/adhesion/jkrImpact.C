@@ -2,11 +2,11 @@
     parcelImpact. License: GPL-3.0-or-later, see COPYING.
 
 Description
-    Tests of jkrImpact and overlapMarch.
+    Tests of jkrImpact and overlapRungeKutta.
 \*---------------------------------------------------------------------------*/
 
 #include "jkrImpact.H"
-#include "overlapMarch.H"
+#include "overlapRungeKutta.H"
 
 #include <gtest/gtest.h>
 
@@ -228,7 +228,7 @@ TEST(jkrImpact, refusesWhatIsOutOfRange)
     }
     EXPECT_THROW
     (
-        overlapMarch(1, unloadingType::soft, 0.3, true),
+        overlapRungeKutta(1, unloadingType::soft, 0.3, true),
         std::invalid_argument
     );
 }

@@ -187,11 +187,11 @@ class chainImpact
     }
 
     //- Where the velocity behind u changes its sign
-    void maximum(int u, bool touch, double& most, bool& turned) const
+    void maximum(int u, bool touch, double& peak, bool& turned) const
     {
         if (touch && step_.begin()[u + 1] > 0 && step_.end()[u + 1] <= 0)
         {
-            most = std::max(most, step_.at(u, step_.when(u + 1, 0, 1)));
+            peak = std::max(peak, step_.at(u, step_.when(u + 1, 0, 1)));
             turned = true;
         }
     }

@@ -170,10 +170,10 @@ impact::dissipationLaw impact::dissipationLaw::fit
     {
         different.insert(m.restitution);
     }
-    const int most = int(different.size()) - 1;
-    if (degree < 0 || degree > most)
+    const int maxDegree = int(different.size()) - 1;
+    if (degree < 0 || degree > maxDegree)
     {
-        throwOutOfRange("degree", degree, rangeText("[]", 0, most));
+        throwOutOfRange("degree", degree, rangeText("[]", 0, maxDegree));
     }
     Eigen::MatrixXd powers(n, degree + 1);
     Eigen::VectorXd alpha(n);

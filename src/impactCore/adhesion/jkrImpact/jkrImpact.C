@@ -4,7 +4,7 @@
 
 #include "jkrImpact.H"
 #include "outOfRange.H"
-#include "overlapMarch.H"
+#include "overlapRungeKutta.H"
 
 #include <cmath>
 #include <sstream>
@@ -52,12 +52,12 @@ impact::jkrImpact::jkrImpact
 void impact::jkrImpact::checkTimeStep(double speed) const
 {
     const double time = contact_.scales(speed).time;
-    const double least = overlapMarch::minStep*time;
-    const double greatest = overlapMarch::maxStep*time;
-    if (!(settings_.timeStep >= least && settings_.timeStep <= greatest))
+    const double low = overlapRungeKutta::minStep*time;
+    const double high = overlapRungeKutta::maxStep*time;
+    if (!(settings_.timeStep >= low && settings_.timeStep <= high))
     {
         std::ostringstream range;
-        range<< rangeText("[]", least, greatest) << " s at the speed "
+        range<< rangeText("[]", low, high) << " s at the speed "
             << speed << " m/s";
         throwOutOfRange("timeStep", settings_.timeStep, range.str());
     }
@@ -86,7 +86,7 @@ impact::impactOutcome impact::jkrImpact::impact(double speed) const
     if (settings_.scheme == impactScheme::rk4)
     {
         checkTimeStep(speed);
-        motion = overlapMarch
+        motion = overlapRungeKutta
         (
             alpha(),
             settings_.unloading,

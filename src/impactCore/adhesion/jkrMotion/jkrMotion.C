@@ -174,8 +174,8 @@ impact::motionOutcome impact::jkrMotion::follow
         // Hard unloading ends on the slope of the potential, from where the
         // motion could return within a step
         const double last = returns ? step.when(1, 0, 1) : 1;
-        const double least = returns ? step.at(0, last) : y[0];
-        if (turned && least <= uEnd)
+        const double minOverlap = returns ? step.at(0, last) : y[0];
+        if (turned && minOverlap <= uEnd)
         {
             // Step again to the end itself; the rest is below round-off
             step.attempt(rate, h*step.when(0, uEnd, last));

@@ -2,13 +2,13 @@
     parcelImpact. License: GPL-3.0-or-later, see COPYING.
 \*---------------------------------------------------------------------------*/
 
-#include "overlapMarch.H"
+#include "overlapRungeKutta.H"
 #include "bracketedRoot.H"
 #include "outOfRange.H"
 
 #include <algorithm>
 
-impact::overlapMarch::overlapMarch
+impact::overlapRungeKutta::overlapRungeKutta
 (
     double alpha,
     unloadingType unloading,
@@ -25,7 +25,7 @@ impact::overlapMarch::overlapMarch
 }
 
 
-impact::motionOutcome impact::overlapMarch::impact
+impact::motionOutcome impact::overlapRungeKutta::impact
 (
     const jkrCurve& curve,
     double p0
