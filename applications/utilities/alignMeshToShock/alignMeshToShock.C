@@ -38,7 +38,7 @@ namespace
 
 using namespace Foam;
 
-//- Replace files once all of the new ones are whole: a full disk leaves the mesh
+//- Replace files once all new ones are whole: a full disk leaves the mesh
 //  and the fields as they were
 void write(const UPtrList<const regIOobject>& objects)
 {

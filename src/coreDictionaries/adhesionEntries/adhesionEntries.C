@@ -327,7 +327,10 @@ impact::dissipationLaw Foam::adhesionEntries::law
             }
             return form::constant
             (
-                form::marshall().alpha(getNumber(alpha, "restitution", validRange::share)),
+                form::marshall().alpha
+                (
+                    getNumber(alpha, "restitution", validRange::share)
+                ),
                 unloading
             );
         }
@@ -356,7 +359,10 @@ impact::dissipationLaw Foam::adhesionEntries::law
             return alpha.found("restitution")
               ? form::constant
                 (
-                    polynomial.alpha(getNumber(alpha, "restitution", validRange::share)),
+                    polynomial.alpha
+                    (
+                        getNumber(alpha, "restitution", validRange::share)
+                    ),
                     unloading
                 )
               : polynomial;
@@ -394,7 +400,10 @@ impact::adhesiveRebound Foam::adhesionEntries::wall
 )
 {
     typedef impact::adhesiveRebound wall;
-    wordList valid{"type", "alpha", "unloading", "outside", "friction", "layer"};
+    wordList valid
+    {
+        "type", "alpha", "unloading", "outside", "friction", "layer"
+    };
     valid.append
     (
         dict.found("contact")

@@ -23,7 +23,8 @@ void Foam::dsmcGas::checkEntries() const
             "nEquivalentParticles", "typeIdList", "moleculeProperties",
             "BinaryCollisionModel", "WallInteractionModel",
             "InflowBoundaryModel", "VariableHardSphereCoeffs",
-            "LarsenBorgnakkeVariableHardSphereCoeffs", "NoBinaryCollisionCoeffs",
+            "LarsenBorgnakkeVariableHardSphereCoeffs",
+            "NoBinaryCollisionCoeffs",
             "MixedDiffuseSpecularCoeffs", "MaxwellianThermalCoeffs",
             "SpecularReflectionCoeffs", "FreeStreamCoeffs",
             "NoInflowCoeffs"
@@ -51,7 +52,10 @@ void Foam::dsmcGas::readSpecies()
         const word& name = names_[i];
         if (names_.find(name) != i)
         {
-            refuse(properties_, "typeIdList", name, "a list of different names");
+            refuse
+            (
+                properties_, "typeIdList", name, "a list of different names"
+            );
         }
         if (!all.isDict(name))
         {

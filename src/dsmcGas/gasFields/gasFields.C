@@ -402,18 +402,18 @@ void Foam::gasFields::update()
     }
 
     // dsmcFields divides by these, and takes the least number for nothing
-    const scalar least = suffix_ == meanSuffix ? 0 : VSMALL;
+    const scalar minValue = suffix_ == meanSuffix ? 0 : VSMALL;
 
     // Fields of the cells, then of each wall
     scalarField* f[nScalars];
     vectorField* g[nVectors];
     const auto set = [&](const label i, const sums& s, const scalar factor)
     {
-        (*f[rhoN])[i] = max(factor*s.number, least);
-        (*f[rhoM])[i] = max(factor*s.mass, least);
+        (*f[rhoN])[i] = max(factor*s.number, minValue);
+        (*f[rhoM])[i] = max(factor*s.mass, minValue);
         (*f[linearKE])[i] = factor*s.kineticEnergy;
         (*f[internalE])[i] = factor*s.internalEnergy;
-        (*f[iDof])[i] = max(factor*s.degreesOfFreedom, least);
+        (*f[iDof])[i] = max(factor*s.degreesOfFreedom, minValue);
         (*g[momentum])[i] =
             factor*vector(s.momentum[0], s.momentum[1], s.momentum[2]);
     };

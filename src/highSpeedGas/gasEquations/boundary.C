@@ -87,7 +87,8 @@ void Foam::gasEquations::setPatches()
     {
         const label patchi = patch.patchi;
         const fvPatchVectorField& Up = U_.boundaryField()[patchi];
-        const fvPatchScalarField& pressure = thermo_.p().boundaryField()[patchi];
+        const fvPatchScalarField& pressure =
+            thermo_.p().boundaryField()[patchi];
 
         const bool slip =
             isA<basicSymmetryFvPatchVectorField>(Up) && !patch.image();

@@ -102,7 +102,8 @@ void Foam::gasEquations::widenGradients()
     {
         double sum[n] = {};
         int nBehind = 0;
-        for (int i = geometry_.cellStart[c]; i < geometry_.cellStart[c + 1]; i++)
+        const int end = geometry_.cellStart[c + 1];
+        for (int i = geometry_.cellStart[c]; i < end; i++)
         {
             const int f = geometry_.faceOf[i];
             if (geometry_.gasBehind[f])

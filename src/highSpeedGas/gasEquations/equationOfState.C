@@ -163,14 +163,14 @@ void Foam::gasEquations::trimTable(const scalar low, const scalar dT)
     const label n = label(tableHeat_.size()) - 1;
 
     // Temperatures of the case at the start
-    scalar least = GREAT;
-    scalar greatest = 0;
+    scalar minTemperature = GREAT;
+    scalar maxTemperature = 0;
     auto extend = [&](const scalarField& T)
     {
         for (const scalar t : T)
         {
-            least = min(least, t);
-            greatest = max(greatest, t);
+            minTemperature = min(minTemperature, t);
+            maxTemperature = max(maxTemperature, t);
         }
     };
     extend(thermo_.T().primitiveField());
@@ -178,8 +178,8 @@ void Foam::gasEquations::trimTable(const scalar low, const scalar dT)
     {
         extend(thermo_.T().boundaryField()[patchi]);
     }
-    reduce(least, minOp<scalar>());
-    reduce(greatest, maxOp<scalar>());
+    reduce(minTemperature, minOp<scalar>());
+    reduce(maxTemperature, maxOp<scalar>());
 
     // No ideal gas has less than 3/2 R: a polynomial that gives less than a
     // third of that has left its range
@@ -192,8 +192,8 @@ void Foam::gasEquations::trimTable(const scalar low, const scalar dT)
         return min(max(label((T - low)/dT), label(0)), n - 1);
     };
 
-    label first = node(least);
-    label last = node(greatest) + 1;
+    label first = node(minTemperature);
+    label last = node(maxTemperature) + 1;
     for (label i = first; i <= last; i++)
     {
         if (!good(i))
@@ -205,8 +205,9 @@ void Foam::gasEquations::trimTable(const scalar low, const scalar dT)
                 << "The specific heat Cv of the gas is " << tableHeat_[i]
                 << " J/(kg K) at " << low + i*dT << " K; it must be above R/2"
                 << " = " << 0.5*eos_.R << " J/(kg K) at the temperatures"
-                << " of the case, " << least << " to " << greatest
-                << " K (entry thermodynamics)" << exit(FatalIOError);
+                << " of the case, " << minTemperature << " to "
+                << maxTemperature << " K (entry thermodynamics)"
+                << exit(FatalIOError);
         }
     }
     while (first > 0 && good(first - 1))

@@ -87,7 +87,8 @@ void Foam::gasEquations::setSchemes()
     {
         FatalIOErrorInFunction(schemes)
             << "Unknown fluxScheme " << fluxName << nl
-            << "Valid fluxScheme: " << listOf(fluxNames()) << exit(FatalIOError);
+            << "Valid fluxScheme: " << listOf(fluxNames())
+            << exit(FatalIOError);
     }
 
     // The stock central solver reconstructs density, temperature and velocity;

@@ -136,13 +136,13 @@ Foam::gasImbalance Foam::gasEquations::imbalance(const scalar bound) const
 
             // What flows in at a thousandth of the speed of sound: where the
             // gas is at rest, round-off is not out of balance with nothing
-            const scalar least =
+            const scalar minInflow =
                 m == 0
               ? 0
               : 1e-3*q[0]/(eos_.R*q[1])*geometry_.area[f]
                *soundSpeed_[geometry_.owner[f]];
-            flows[4] += least;
-            flows[5] += least*H;
+            flows[4] += minInflow;
+            flows[5] += minInflow*H;
         }
     }
 
@@ -177,7 +177,9 @@ Foam::gasImbalance Foam::gasEquations::imbalance(const scalar bound) const
         const bool here = b.rank[k] == Pstream::myProcNo();
         b.place[k] = returnReduce
         (
-            here ? mesh_.cellCentres()[b.cell[k]] : point(-GREAT, -GREAT, -GREAT),
+            here
+          ? mesh_.cellCentres()[b.cell[k]]
+          : point(-GREAT, -GREAT, -GREAT),
             maxOp<point>()
         );
         b.cell[k] = returnReduce(here ? b.cell[k] : -1, maxOp<label>());

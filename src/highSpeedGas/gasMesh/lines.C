@@ -70,12 +70,12 @@ public:
     //- Make a vector one of length one, and return how long it was
     double normalise(double* v) const
     {
-        const double size = length(v);
+        const double magnitude = length(v);
         for (int d = 0; d < n_; d++)
         {
-            v[d] /= max(size, VSMALL);
+            v[d] /= max(magnitude, VSMALL);
         }
-        return size;
+        return magnitude;
     }
 
     //- Number of faces on the other side of the cell from face f, the last of
@@ -134,37 +134,37 @@ public:
     //  is none
     double height(const double* direction) const
     {
-        double least = GREAT;
+        double minDistance = GREAT;
         for (const int g : *this)
         {
-            const double size = distance(g);
+            const double separation = distance(g);
             if
             (
                 mesh_.gasBehind[g]
-             && std::abs(along(g, direction)) > 0.7*size
+             && std::abs(along(g, direction)) > 0.7*separation
             )
             {
-                least = min(least, size);
+                minDistance = min(minDistance, separation);
             }
         }
-        return least;
+        return minDistance;
     }
 
     //- The way through face f along the line of cells whose other direction
     //  is back, from the owner to the far cell
     void bent(const int f, const double* back, double* way) const
     {
-        const double size = distance(f);
+        const double separation = distance(f);
         double tangent[3];
         double bend[3];
         for (int d = 0; d < n_; d++)
         {
-            tangent[d] = outward(f)*way[d]/size - back[d];
+            tangent[d] = outward(f)*way[d]/separation - back[d];
         }
         normalise(tangent);
         for (int d = 0; d < n_; d++)
         {
-            bend[d] = outward(f)*size*tangent[d] - way[d];
+            bend[d] = outward(f)*separation*tangent[d] - way[d];
         }
         const double bendSize = normalise(bend);
 

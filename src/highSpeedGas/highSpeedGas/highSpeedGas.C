@@ -64,7 +64,11 @@ void Foam::highSpeedGas::refuseWhatIsNotSolved() const
 
     for (const word name : {"fvOptions", "MRFProperties"})
     {
-        for (const fileName& folder : {fileName(time.constant()), fileName(time.system())})
+        for
+        (
+            const fileName& folder :
+            {fileName(time.constant()), fileName(time.system())}
+        )
         {
             const localIOdictionary sources(contents(name, folder));
             for (const entry& e : sources)

@@ -315,9 +315,9 @@ Foam::scalarField Foam::meshLayers::toLines
             reach = max(reach, mag(mesh_.faceCentres()[facei] - here));
         }
         normal.normalise();
-        vector least(Zero);
-        least[findMin(cmptMag(normal))] = 1;
-        const vector across(normalised(normal ^ least));
+        vector shortAxis(Zero);
+        shortAxis[findMin(cmptMag(normal))] = 1;
+        const vector across(normalised(normal ^ shortAxis));
         const vector along(normal ^ across);
 
         // In the tangent plane: a body is a surface. What lies behind planes

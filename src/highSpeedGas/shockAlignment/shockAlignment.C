@@ -93,21 +93,21 @@ void Foam::shockAlignment::checkInflow
     const volScalarField& soundSpeed
 ) const
 {
-    scalar most = 0;
+    scalar maxMach = 0;
     forAll(layers_.outerFaces(), columni)
     {
         const vector& S = mesh_.faceAreas()[layers_.outerFaces()[columni]];
-        most = max
+        maxMach = max
         (
-            most,
+            maxMach,
            -(outside(U, columni) & S)/mag(S)/outside(soundSpeed, columni)
         );
     }
-    if (most < 1)
+    if (maxMach < 1)
     {
         FatalErrorInFunction
             << "There is no shock before the body: through the outer boundary"
-            << " the gas flows in at a Mach number of " << most
+            << " the gas flows in at a Mach number of " << maxMach
             << " at most" << nl
             << "Layers follow the bow shock of a supersonic stream"
             << exit(FatalError);
@@ -183,11 +183,11 @@ bool Foam::shockAlignment::follows(const volScalarField& p)
     }
 
     const scalarField changes(mag(distance_/before - 1));
-    const label most = findMax(changes);
+    const label worst = findMax(changes);
     change_ = Foam::sqrt(average(sqr(changes)));
-    doubt_ = max(doubt_, 4*changes[most]);
+    doubt_ = max(doubt_, 4*changes[worst]);
     Info<< "Shock: moved by " << 100*change_ << " % of its distance, by "
-        << 100*changes[most] << " % at " << lines_[most][0] << endl;
+        << 100*changes[worst] << " % at " << lines_[worst][0] << endl;
     return change_ < tolerance_;
 }
 

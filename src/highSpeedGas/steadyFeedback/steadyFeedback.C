@@ -175,15 +175,15 @@ void Foam::steadyFeedback::setShare
     const scalar P = 1/max(sums[7], VSMALL);
     const scalar fallen = F*sums[0] + P*sums[3];
     const scalar before = F*sums[1] + P*sums[4];
-    const scalar size = F*sums[2] + P*sums[5];
+    const scalar now = F*sums[2] + P*sums[5];
     const scalar ideal =
-        share_*(fallen > 0 && 4*size > before ? std::sqrt(before/size) : 2);
+        share_*(fallen > 0 && 4*now > before ? std::sqrt(before/now) : 2);
 
     // In digits that a file keeps
-    const scalar most = min(relaxation_, 2*share_);
+    const scalar maxShare = min(relaxation_, 2*share_);
     share_ = 1e-3*std::round
     (
-        1e3*max(min(ideal, most), min(0.5*share_, most))
+        1e3*max(min(ideal, maxShare), min(0.5*share_, maxShare))
     );
     share_ = max(share_, min(relaxation_, minShare));
 }
@@ -192,7 +192,11 @@ void Foam::steadyFeedback::setShare
 void Foam::steadyFeedback::endRound()
 {
     const scalar perTime =
-        1/(equations_.mesh().time().deltaTValue()*(roundSteps() - delaySteps()));
+        1
+       /(
+            equations_.mesh().time().deltaTValue()
+           *(roundSteps() - delaySteps())
+        );
     const vectorField dF(perTime*momentum_.field() - force_.field());
     const scalarField dP(perTime*energy_.field() - power_.field());
     setShare(dF, dP);
@@ -233,11 +237,11 @@ void Foam::steadyFeedback::compare
         const double* q = &equations_.primitive[c*nVar];
         const double* old = &before[c*nVar];
         scalar change = 0;
-        scalar size = 0;
+        scalar squares = 0;
         for (int d = 2; d < nVar; d++)
         {
             change += sqr(q[d] - old[d]);
-            size += sqr(q[d]);
+            squares += sqr(q[d]);
         }
         const scalar V = geometry.volume[c];
         for (int k = 0; k < 2; k++)
@@ -246,7 +250,7 @@ void Foam::steadyFeedback::compare
             sums[3 + k] += V*q[k];
         }
         sums[2] += V*std::sqrt(change);
-        sums[5] += V*std::sqrt(size);
+        sums[5] += V*std::sqrt(squares);
     }
     for (scalar& sum : sums)
     {

@@ -137,7 +137,10 @@ Foam::autoPtr<Foam::parcelCloudModel> Foam::parcelCloudModel::New
     refuseOthers
     (
         properties,
-        {"type", "solution", "constantProperties", "subModels", "cloudFunctions"}
+        {
+            "type", "solution", "constantProperties", "subModels",
+            "cloudFunctions"
+        }
     );
     for
     (

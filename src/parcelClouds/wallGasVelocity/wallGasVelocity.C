@@ -249,8 +249,8 @@ void Foam::wallGasVelocity::bind(pointVectorField& pointU)
                                 value = rest;
                             }
                         }
-                        const scalar size = mag(best);
-                        own.add(best/size, value/size);
+                        const scalar magnitude = mag(best);
+                        own.add(best/magnitude, value/magnitude);
                     }
                 }
             }

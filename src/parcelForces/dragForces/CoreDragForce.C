@@ -21,7 +21,8 @@ impact::dragLaw::coefficients Foam::CoreDragForce<CloudType>::read
     if (kind.compressible)
     {
         entries.append("thermo");
-        if (!parcelTemperature::has<parcelType>(this->owner().solution().dict()))
+        const dictionary& solution = this->owner().solution().dict();
+        if (!parcelTemperature::has<parcelType>(solution))
         {
             entries.append("TwOverT");
             c.TpOverT = getNumber

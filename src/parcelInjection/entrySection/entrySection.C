@@ -32,15 +32,15 @@ Foam::entrySection::entrySection
     vector second(empty);
     if (magSqr(empty) <= 0)
     {
-        direction least = 0;
+        direction smallest = 0;
         for (direction d = 1; d < 3; ++d)
         {
-            if (mag(along[d]) < mag(along[least]))
+            if (mag(along[d]) < mag(along[smallest]))
             {
-                least = d;
+                smallest = d;
             }
         }
-        second[least] = 1;
+        second[smallest] = 1;
         second = normalised(second - (second & along)*along);
     }
     e_[0] = along ^ second;
@@ -66,17 +66,17 @@ Foam::entrySection::entrySection
         label first[2], last[2];
         for (label j = 0; j < 2; ++j)
         {
-            scalar least = GREAT, most = -GREAT;
+            scalar minX = GREAT, maxX = -GREAT;
             for (label k = 0; k < 3; ++k)
             {
                 const scalar x =
                     ((corners_[3*i + k] & e_[j]) - origin_[j])
                    /max(span_[j], VSMALL);
-                least = min(least, x);
-                most = max(most, x);
+                minX = min(minX, x);
+                maxX = max(maxX, x);
             }
-            first[j] = max(label((least - 1e-9)*n_[j]), label(0));
-            last[j] = min(label((most + 1e-9)*n_[j]), n_[j] - 1);
+            first[j] = max(label((minX - 1e-9)*n_[j]), label(0));
+            last[j] = min(label((maxX + 1e-9)*n_[j]), n_[j] - 1);
         }
         for (label k0 = first[0]; k0 <= last[0]; ++k0)
         {

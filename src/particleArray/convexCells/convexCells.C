@@ -249,7 +249,11 @@ Foam::convexCells::convexCells(const polyMesh& mesh, const boolList& others)
     if (nSplit)
     {
         Info<< ", " << nSplit << " of them"
-            << (others.empty() ? " (warped, not convex or beside smaller ones)" : "")
+            << (
+                   others.empty()
+                 ? " (warped, not convex or beside smaller ones)"
+                 : ""
+               )
             << " split into "
             << returnReduce(size(), sumOp<label>()) - (nCells - nSplit)
             << " tetrahedra";
@@ -296,7 +300,7 @@ Foam::scalar Foam::convexCells::height
 {
     using namespace walkKernels;
 
-    scalar greatest = -GREAT;
+    scalar maxHeight = -GREAT;
     for (label g = firstGroup_[celli]; g < firstGroup_[celli + 1]; ++g)
     {
         const double* p = &planes_[stride*std::size_t(g)];
@@ -306,16 +310,16 @@ Foam::scalar Foam::convexCells::height
                 || p[2*width + k] != 0;
             if (used)
             {
-                greatest = max
+                maxHeight = max
                 (
-                    greatest,
+                    maxHeight,
                     p[k]*x.x + p[width + k]*x.y + p[2*width + k]*x.z
                   - p[3*width + k]
                 );
             }
         }
     }
-    return greatest;
+    return maxHeight;
 }
 
 
@@ -330,13 +334,13 @@ Foam::label Foam::convexCells::locate
     {
         return best;
     }
-    scalar least = GREAT;
+    scalar minHeight = GREAT;
     for (label i = best; i < firstCell_[meshCelli + 1]; ++i)
     {
         const scalar h = height(i, x);
-        if (h < least)
+        if (h < minHeight)
         {
-            least = h;
+            minHeight = h;
             best = i;
         }
     }
@@ -354,13 +358,13 @@ Foam::label Foam::convexCells::inside
     label best = cells[0];
     if (cells.size() > 1)
     {
-        scalar least = GREAT;
+        scalar minHeight = GREAT;
         for (const label celli : cells)
         {
             const scalar h = height(celli, x);
-            if (h < least)
+            if (h < minHeight)
             {
-                least = h;
+                minHeight = h;
                 best = celli;
             }
         }

@@ -75,8 +75,10 @@ namespace
             // next one, which stay as they are
             const double* b =
                 shapes.bounds + Foam::walkKernels::boundStride*std::int64_t(c);
-            const lanes low[3] = {allLanes(b[0]), allLanes(b[1]), allLanes(b[2])};
-            const lanes high[3] = {allLanes(b[4]), allLanes(b[5]), allLanes(b[6])};
+            const lanes low[3] =
+                {allLanes(b[0]), allLanes(b[1]), allLanes(b[2])};
+            const lanes high[3] =
+                {allLanes(b[4]), allLanes(b[5]), allLanes(b[6])};
             const std::int32_t end = start[c + 1];
             std::int32_t i = start[c];
             const std::int32_t safe = nAll - width + 1;
@@ -138,8 +140,10 @@ namespace
             for (const double* p = first; p < last; p += stride)
             {
                 const lanes h =
-                    loadLanes(p)*allLanes(xe) + loadLanes(p + width)*allLanes(ye)
-                  + loadLanes(p + 2*width)*allLanes(ze) - loadLanes(p + 3*width);
+                    loadLanes(p)*allLanes(xe)
+                  + loadLanes(p + width)*allLanes(ye)
+                  + loadLanes(p + 2*width)*allLanes(ze)
+                  - loadLanes(p + 3*width);
                 worst = h > worst ? h : worst;
             }
             const lanes other = exchanged(worst, marks{2, 3, 0, 1});
@@ -208,9 +212,9 @@ namespace
             const marks up = speed > allLanes(0);
             const lanes depth =
                 up ? loadLanes(b + width) - position : position - loadLanes(b);
-            const lanes size = positivePart(speed) + positivePart(-speed);
-            const marks out = size > allLanes(still);
-            const lanes quotient = depth/(size + allLanes(still));
+            const lanes magnitude = positivePart(speed) + positivePart(-speed);
+            const marks out = magnitude > allLanes(still);
+            const lanes quotient = depth/(magnitude + allLanes(still));
             lanes time = out ? quotient : allLanes(far);
             marks place = marks{0, 1, 2, 3} - up*width;
 
@@ -228,26 +232,29 @@ namespace
             shapes.planes + stride*std::int64_t(shapes.firstGroup[c + 1]);
         marks here = {0, 1, 2, 3};
         here += width*std::int64_t(g);
-        lanes least = allLanes(1);
+        lanes minTime = allLanes(1);
         marks place = {-1, -1, -1, -1};
         for (; p < last; p += stride)
         {
             const lanes nx = loadLanes(p);
             const lanes ny = loadLanes(p + width);
             const lanes nz = loadLanes(p + 2*width);
-            const lanes speed = nx*allLanes(ux) + ny*allLanes(uy) + nz*allLanes(uz);
+            const lanes speed =
+                nx*allLanes(ux) + ny*allLanes(uy) + nz*allLanes(uz);
             const lanes depth =
-                loadLanes(p + 3*width) - (nx*allLanes(x) + ny*allLanes(y) + nz*allLanes(z));
+                loadLanes(p + 3*width)
+              - (nx*allLanes(x) + ny*allLanes(y) + nz*allLanes(z));
             const marks out = speed > allLanes(still);
-            const lanes quotient = depth/(positivePart(speed) + allLanes(still));
+            const lanes quotient =
+                depth/(positivePart(speed) + allLanes(still));
             const lanes time = out ? quotient : allLanes(far);
-            const marks earlier = time < least;
-            least = earlier ? time : least;
+            const marks earlier = time < minTime;
+            minTime = earlier ? time : minTime;
             place = earlier ? here : place;
             here += width;
         }
 
-        earliest(least, place);
+        earliest(minTime, place);
         const bool arrives = place[0] < 0;
         return {arrives, shapes.targets[arrives ? 0 : place[0]]};
     }
@@ -289,7 +296,12 @@ std::int32_t Foam::walkKernels::fly
 
         // All cross one face, then those that go on the next: none of the
         // branches depends on a single particle
-        for (std::int32_t crossing = 0; n && crossing < maxCrossings; ++crossing)
+        for
+        (
+            std::int32_t crossing = 0;
+            n && crossing < maxCrossings;
+            ++crossing
+        )
         {
             std::int32_t nOn = 0;
             for (std::int32_t k = 0; k < n; ++k)
@@ -344,9 +356,10 @@ impactKernel void Foam::walkKernels::exitTimes
 {
     for (std::int32_t i = 0; i < n; ++i)
     {
-        const lanes px = allLanes(x[i]), py = allLanes(y[i]), pz = allLanes(z[i]);
-        const lanes pu = allLanes(u[i]), pv = allLanes(v[i]), pw = allLanes(w[i]);
-        double least = limit[i];
+        const lanes
+            px = allLanes(x[i]), py = allLanes(y[i]), pz = allLanes(z[i]),
+            pu = allLanes(u[i]), pv = allLanes(v[i]), pw = allLanes(w[i]);
+        double minTime = limit[i];
         const std::int32_t end = shapes.firstGroup[cell[i] + 1];
         for (std::int32_t g = shapes.firstGroup[cell[i]]; g < end; ++g)
         {
@@ -359,13 +372,13 @@ impactKernel void Foam::walkKernels::exitTimes
             for (int k = 0; k < width; ++k)
             {
                 // Only faces that the ray goes out of
-                if (speed[k] > 0 && depth[k] < least*speed[k])
+                if (speed[k] > 0 && depth[k] < minTime*speed[k])
                 {
-                    least = depth[k]/speed[k];
+                    minTime = depth[k]/speed[k];
                 }
             }
         }
-        time[i] = least;
+        time[i] = minTime;
     }
 }
 
@@ -392,7 +405,8 @@ impactKernel void Foam::walkKernels::pathsInside
             {
                 const double* const* q = points + 3*b;
                 outside |=
-                    nx*allLanes(q[0][i]) + ny*allLanes(q[1][i]) + nz*allLanes(q[2][i]) - d
+                    nx*allLanes(q[0][i]) + ny*allLanes(q[1][i])
+                  + nz*allLanes(q[2][i]) - d
                   > allLanes(0);
             }
         }

@@ -318,7 +318,7 @@ void Foam::solidParticles::warnOfLargeParticles() const
     {
         d = max(d, group.diameter);
     }
-    const scalar least = Foam::cbrt(gMin(mesh_.V()));
+    const scalar minSize = Foam::cbrt(gMin(mesh_.V()));
     label nSmall = 0;
     for (const scalar V : mesh_.V())
     {
@@ -331,7 +331,7 @@ void Foam::solidParticles::warnOfLargeParticles() const
             << "The largest particles have a diameter of " << d
             << " m. " << nSmall << " of "
             << returnReduce(mesh_.nCells(), sumOp<label>())
-            << " cells are smaller, the smallest has a width of " << least
+            << " cells are smaller, the smallest has a width of " << minSize
             << " m (cube root of its volume)." << nl
             << "    Forces are those of the molecules of one cell: they need"
             << " particles far smaller than their cells" << endl;
@@ -341,16 +341,16 @@ void Foam::solidParticles::warnOfLargeParticles() const
 
 void Foam::solidParticles::warnOfLightParticles()
 {
-    scalarList least;
+    scalarList minNumbers;
     forAll(groups_, g)
     {
-        least.append(exchange_->minNumber(g, gas_.weight()));
+        minNumbers.append(exchange_->minNumber(g, gas_.weight()));
     }
     label nLight = 0;
     const solidData& data = particles_.payload();
     for (label i = 0; i < particles_.size(); ++i)
     {
-        nLight += data.nParticle[i] < least[data.group[i]];
+        nLight += data.nParticle[i] < minNumbers[data.group[i]];
     }
     reduce(nLight, sumOp<label>());
     warnedOfLight_ = true;
@@ -361,5 +361,5 @@ void Foam::solidParticles::warnOfLightParticles()
         << " real ones, could take nearly all of their heat." << nl
         << "    They exchange momentum and energy as with exchange perCell."
         << nl << "    Real particles for a simulated one that perCollision"
-        << " needs, by group: " << flatOutput(least) << nl << endl;
+        << " needs, by group: " << flatOutput(minNumbers) << nl << endl;
 }

@@ -115,7 +115,7 @@ impact::vector3 Foam::solidWalls::rebound
     {
         semiEmpiricals_[lawOf_[patchi]].rebound(-n, radius, s);
     }
-    const scalar least = 1e-9*mag(s.V);
+    const scalar minSpeed = 1e-9*mag(s.V);
     const scalar away = -dot(s.V, n);
-    return away < least ? s.V - (least - away)*n : s.V;
+    return away < minSpeed ? s.V - (minSpeed - away)*n : s.V;
 }

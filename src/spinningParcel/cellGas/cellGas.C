@@ -109,7 +109,7 @@ Foam::labelList Foam::cellGas::choose(const UList<condition>& all)
         axes.append(normalised(across));
 
         // At least 30 degrees out of what is spanned
-        scalar most = 0.5;
+        scalar maxAcross = 0.5;
         next = -1;
         for (label i = 0; axes.size() < 3 && i < all.size(); ++i)
         {
@@ -119,9 +119,9 @@ Foam::labelList Foam::cellGas::choose(const UList<condition>& all)
                 rest -= (rest & e)*e;
             }
             // Of equals the first, whatever their rounding
-            if (mag(rest) > most + 1e-6)
+            if (mag(rest) > maxAcross + 1e-6)
             {
-                most = mag(rest);
+                maxAcross = mag(rest);
                 next = i;
             }
         }
@@ -142,16 +142,16 @@ void Foam::cellGas::bind(field& f, const UList<condition>& all)
     }
     if (chosen.size() == 1)
     {
-        direction least = 0;
+        direction smallest = 0;
         for (direction d = 1; d < 3; ++d)
         {
-            if (mag(n[0][d]) < mag(n[0][least]))
+            if (mag(n[0][d]) < mag(n[0][smallest]))
             {
-                least = d;
+                smallest = d;
             }
         }
         vector axis(Zero);
-        axis[least] = 1;
+        axis[smallest] = 1;
         n[1] = normalised(n[0] ^ axis);
     }
     if (chosen.size() < 3)
@@ -330,7 +330,7 @@ void Foam::cellGas::tetrahedronField(const tetrahedron& tet, field& f) const
     }
     for (int k = 0; k < 3; ++k)
     {
-        f.least[k] = v0[6 + k];
+        f.minima[k] = v0[6 + k];
     }
     for (int i = 0; i < 3; ++i)
     {
@@ -348,7 +348,7 @@ void Foam::cellGas::tetrahedronField(const tetrahedron& tet, field& f) const
         }
         for (int k = 0; k < 3; ++k)
         {
-            f.least[k] = std::min(f.least[k], v[6 + k]);
+            f.minima[k] = std::min(f.minima[k], v[6 + k]);
         }
     }
     if (changes_.size())
@@ -356,11 +356,11 @@ void Foam::cellGas::tetrahedronField(const tetrahedron& tet, field& f) const
         const impact::jointExchange::change& c = changes_[tet.cell];
         f.value.u = f.value.u + c.u;
         f.value.T += c.T;
-        f.least[2] = std::min(f.least[2], f.value.T);
+        f.minima[2] = std::min(f.minima[2], f.value.T);
     }
     for (int k = 0; k < 3; ++k)
     {
-        f.least[k] *= 0.5;
+        f.minima[k] *= 0.5;
     }
 }
 
@@ -542,9 +542,9 @@ void Foam::cellGas::update
         );
         for (field& f : cells_)
         {
-            f.least[0] = 0.5*f.value.rho;
-            f.least[1] = 0.5*f.value.mu;
-            f.least[2] = 0.5*f.value.T;
+            f.minima[0] = 0.5*f.value.rho;
+            f.minima[1] = 0.5*f.value.mu;
+            f.minima[2] = 0.5*f.value.T;
         }
         bindWalls(U);
         return;
@@ -611,7 +611,7 @@ void Foam::cellGas::change
             field& f = cells_[celli];
             f.value.u = f.value.u + by[celli].u;
             f.value.T += by[celli].T;
-            f.least[2] = std::min(f.least[2], 0.5*f.value.T);
+            f.minima[2] = std::min(f.minima[2], 0.5*f.value.T);
         }
         bindWalls(U);
         return;

@@ -52,12 +52,12 @@ void Foam::EventDrivenCollisions<CloudType>::sendBytes
 )
 {
     const char* from = static_cast<const char*>(data);
-    const std::size_t most = 1 << 30;
-    for (std::size_t i = 0; i < n; i += most)
+    const std::size_t maxBytes = 1 << 30;
+    for (std::size_t i = 0; i < n; i += maxBytes)
     {
         UOPstream::write
         (
-            Pstream::commsTypes::scheduled, rank, from + i, min(most, n - i)
+            Pstream::commsTypes::scheduled, rank, from + i, min(maxBytes, n - i)
         );
     }
 }
@@ -72,12 +72,12 @@ void Foam::EventDrivenCollisions<CloudType>::receiveBytes
 )
 {
     char* to = static_cast<char*>(data);
-    const std::size_t most = 1 << 30;
-    for (std::size_t i = 0; i < n; i += most)
+    const std::size_t maxBytes = 1 << 30;
+    for (std::size_t i = 0; i < n; i += maxBytes)
     {
         UIPstream::read
         (
-            Pstream::commsTypes::scheduled, rank, to + i, min(most, n - i)
+            Pstream::commsTypes::scheduled, rank, to + i, min(maxBytes, n - i)
         );
     }
 }

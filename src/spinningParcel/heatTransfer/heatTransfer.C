@@ -51,7 +51,8 @@ void Foam::heatTransfer::readModel()
         if (law_ == "kavanau")
         {
             valid.append("form");
-            coefficients_.form = getWord(d, "form", {"ranzMarshall", "original"});
+            coefficients_.form =
+                getWord(d, "form", {"ranzMarshall", "original"});
         }
         refuseOthers(d, valid);
     }

@@ -251,12 +251,12 @@ void Foam::surfaceImpactStatistics::setAreas()
     for (label k = 0; k < nBins; ++k)
     {
         nearestBin_[k] = k;
-        label least = labelMax;
+        label minDistance = labelMax;
         for (const label other : there)
         {
-            if (mag(other - k) < least)
+            if (mag(other - k) < minDistance)
             {
-                least = mag(other - k);
+                minDistance = mag(other - k);
                 nearestBin_[k] = other;
             }
         }

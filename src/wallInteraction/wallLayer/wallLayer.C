@@ -472,7 +472,7 @@ void Foam::wallLayer::report
 ) const
 {
     const polyPatch& patch = mesh_.boundaryMesh()[patchi];
-    scalar number = 0, mass = 0, covered = 0, area = 0, most = 0;
+    scalar number = 0, mass = 0, covered = 0, area = 0, maxCover = 0;
     forAll(patch, i)
     {
         const label f = item(patchi, i);
@@ -484,13 +484,13 @@ void Foam::wallLayer::report
         const scalar c = state_.coverage(f);
         covered += areas_[f]*min(c, scalar(1));
         area += areas_[f];
-        most = max(most, c);
+        maxCover = max(maxCover, c);
     }
     reduce(number, sumOp<scalar>());
     reduce(mass, sumOp<scalar>());
     reduce(covered, sumOp<scalar>());
     reduce(area, sumOp<scalar>());
-    reduce(most, maxOp<scalar>());
+    reduce(maxCover, maxOp<scalar>());
     os  << "    Layer on patch " << patch.name() << ", " << model
         << nl
         << "      - adhered (number, mass)      = " << number << ", " << mass
@@ -500,5 +500,5 @@ void Foam::wallLayer::report
         << returnReduce(freedMass_[patchi], sumOp<scalar>()) << nl
         << "      - coverage (mean)             = "
         << (area > 0 ? covered/area : 0) << nl
-        << "      - projected area / face, most = " << most << endl;
+        << "      - projected area / face, most = " << maxCover << endl;
 }

@@ -137,7 +137,8 @@ void Foam::writtenState::checkParcels
 {
     reduce(nParcels, sumOp<label>());
     const dictionary* d = found(mesh, cloudName);
-    const label noted = d ? d->getOrDefault<label>(parcels, nParcels) : nParcels;
+    const label noted =
+        d ? d->getOrDefault<label>(parcels, nParcels) : nParcels;
     if (noted != nParcels)
     {
         unfinished

@@ -93,20 +93,7 @@ protected:
                 thermo_->rho()
             )
         );
-        U_.reset
-        (
-            new volVectorField
-            (
-                IOobject
-                (
-                    "U",
-                    time_->timeName(),
-                    mesh_(),
-                    IOobject::MUST_READ
-                ),
-                mesh_()
-            )
-        );
+        U_ = velocity(mesh_());
     }
 
     std::unique_ptr<parcelClouds> make()
@@ -451,7 +438,10 @@ TEST_F(parcelCloudsTest, dragOfNonSphericalParticlesIsThatOfStock)
     for
     (
         const char* forces
-      : {"nonSphereDrag { phi 0.7; }", "haiderLevenspielDrag { sphericity 0.7; }"}
+      : {
+            "nonSphereDrag { phi 0.7; }",
+            "haiderLevenspielDrag { sphericity 0.7; }"
+        }
     )
     {
         dictionary cloud(read(path("constant/kinematicCloudProperties")));

@@ -121,20 +121,7 @@ protected:
                 )
             )
         );
-        U_.reset
-        (
-            new volVectorField
-            (
-                IOobject
-                (
-                    "U",
-                    time_->timeName(),
-                    mesh_(),
-                    IOobject::MUST_READ
-                ),
-                mesh_()
-            )
-        );
+        U_ = velocity(mesh_());
         vectorField& u = U_->primitiveFieldRef();
         forAll(u, i)
         {
@@ -194,7 +181,7 @@ protected:
     {
         std::mt19937 random(1);
         std::uniform_real_distribution<double> uniform(0, 1);
-        scalar most = 0;
+        scalar maxSpeed = 0;
         onWalls
         (
             [&](const word& patch, const tetIndices& tet, const vector& n)
@@ -205,12 +192,12 @@ protected:
                     const double b = (1 - a)*uniform(random);
                     const vector u =
                         velocity(barycentric(0, a, b, 1 - a - b), tet);
-                    most =
-                        max(most, mag((u & n) - wallSpeed(patch, n)));
+                    maxSpeed =
+                        max(maxSpeed, mag((u & n) - wallSpeed(patch, n)));
                 }
             }
         );
-        return most;
+        return maxSpeed;
     }
 
     //- Largest u.n - w of all triangles that meet in an edge or corner, seen
@@ -241,7 +228,7 @@ protected:
                 }
             }
         );
-        scalar most = 0;
+        scalar maxSpeed = 0;
         label nEdges = 0;
         onWalls
         (
@@ -270,10 +257,10 @@ protected:
                         )
                         {
                             ++nEdges;
-                            most =
+                            maxSpeed =
                                 max
                                 (
-                                    most,
+                                    maxSpeed,
                                     mag((u & c.n) - wallSpeed(c.patch, c.n))
                                 );
                         }
@@ -282,7 +269,7 @@ protected:
             }
         );
         EXPECT_GT(nEdges, 100);
-        return most;
+        return maxSpeed;
     }
 };
 

@@ -31,7 +31,7 @@ double cpuSeconds()
 template<class Call>
 double nanoseconds(int states, const Call& call)
 {
-    double least = 1e300;
+    double minTime = 1e300;
     for (int repetition = 0; repetition < 7; ++repetition)
     {
         const double start = cpuSeconds();
@@ -39,9 +39,9 @@ double nanoseconds(int states, const Call& call)
         {
             call();
         }
-        least = std::min(least, (cpuSeconds() - start)/100/states);
+        minTime = std::min(minTime, (cpuSeconds() - start)/100/states);
     }
-    return 1e9*least;
+    return 1e9*minTime;
 }
 
 } // End anonymous namespace

@@ -37,7 +37,7 @@ double cpuSeconds()
 template<class Call>
 double nanoseconds(const Call& call, long nCalls)
 {
-    double least = 1e300;
+    double minTime = 1e300;
     for (int repetition = 0; repetition < 5; ++repetition)
     {
         volatile double sink = 0;
@@ -46,9 +46,9 @@ double nanoseconds(const Call& call, long nCalls)
         {
             sink = sink + call(i);
         }
-        least = std::min(least, (cpuSeconds() - start)/nCalls);
+        minTime = std::min(minTime, (cpuSeconds() - start)/nCalls);
     }
-    return 1e9*least;
+    return 1e9*minTime;
 }
 
 

@@ -254,7 +254,7 @@ TEST(dragLaw, ofGanserIsThatOfMeasuredIsometricParticles)
 {
     // Against Haider and Levenspiel's law, another fit to measured particles;
     // a coefficient or a base of the logarithm misread would show here
-    double most = 0;
+    double maxDeviation = 0;
     double squares = 0;
     int count = 0;
     for (double p = 0.4; p < 0.951; p += 0.05)
@@ -266,12 +266,12 @@ TEST(dragLaw, ofGanserIsThatOfMeasuredIsometricParticles)
         for (double Re = 0.1; Re < 1.01e4; Re *= 1.2)
         {
             const double off = law->CdRe(Re, 0)/haider->CdRe(Re, 0) - 1;
-            most = std::max(most, std::fabs(off));
+            maxDeviation = std::max(maxDeviation, std::fabs(off));
             squares += off*off;
             ++count;
         }
     }
-    EXPECT_NEAR(most, 0.248, 0.002);
+    EXPECT_NEAR(maxDeviation, 0.248, 0.002);
     EXPECT_NEAR(std::sqrt(squares/count), 0.097, 0.001);
 
     // Newton's factor as a code of NOAA for volcanic ash states it

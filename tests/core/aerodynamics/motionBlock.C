@@ -43,9 +43,9 @@ linearGas randomGas(std::mt19937& random)
             slope[k] = 1e3*sharp*uniform(random)*(value[k] + 1);
         }
     }
-    f.least[0] = 0.2;
-    f.least[1] = 1e-5;
-    f.least[2] = 150;
+    f.minima[0] = 0.2;
+    f.minima[1] = 1e-5;
+    f.minima[2] = 150;
     f.length = 1e-3;
     return f;
 }
@@ -156,8 +156,8 @@ void compare
         {
             oneForce force
             {
-                forces, heat, fields[i], motionBlock::of(block->now.x, i), solved,
-                rotation
+                forces, heat, fields[i], motionBlock::of(block->now.x, i),
+                solved, rotation
             };
             force.forces.sphere(d[i], 2500);
             force.heat.sphere(d[i], 2500);
@@ -306,8 +306,8 @@ TEST(motionBlock, leavesOutWhatIsNotThere)
     int nWith[4] = {0, 0, 0, 0};
     compare<motionState>
     (
-        forces, heat(), 1e-5, vector3{1, 1, 0}, vector3{0, 0, 1}, motionBlock::size,
-        nWith
+        forces, heat(), 1e-5, vector3{1, 1, 0}, vector3{0, 0, 1},
+        motionBlock::size, nWith
     );
     EXPECT_GE(nWith[0], 1000);
     EXPECT_EQ(counts.magnus, 0);

@@ -55,15 +55,15 @@ struct motion
 
     //- By definition, on n intervals: never if it finds none. depth becomes
     //  the least value of p on the points
-    double scan(int n, double& least) const
+    double scan(int n, double& minGap) const
     {
-        least = never;
+        minGap = never;
         quad last = 0;
         for (int i = 0; i <= n; ++i)
         {
             const quad t = quad(end)*i/n;
             const quad p = gap(t);
-            least = std::min(least, double(p));
+            minGap = std::min(minGap, double(p));
             if (p <= 0 && rate(t) < 0)
             {
                 if (i == 0)
@@ -202,9 +202,9 @@ TEST(contactTime, ofParabolicPathsIsThatOfAQuadrupleScan)
         {
             m.s.z = m.v.z = m.a.z = 0;
         }
-        double least;
+        double minGap;
         const int n = 1000;
-        const double expected = m.scan(n, least);
+        const double expected = m.scan(n, minGap);
         const double t = m.solve();
         const double step = m.end/n;
         const double speed = mag(m.v) + mag(m.a)*m.end;
@@ -218,7 +218,7 @@ TEST(contactTime, ofParabolicPathsIsThatOfAQuadrupleScan)
                 // Between two points of the scan: it must be true all the
                 // same
                 EXPECT_LE(double(m.gap(t)), 1e-13*(1 + dot(m.s, m.s)));
-                EXPECT_LT(least, speed*speed*step*step + 2*speed*step);
+                EXPECT_LT(minGap, speed*speed*step*step + 2*speed*step);
             }
             continue;
         }
@@ -326,8 +326,8 @@ TEST(contactTime, findsTheFirstOfTwoDips)
     // Lift the first pass: y = 0.5 + c (3 - t) with y(3) = 0.5
     m.s.y = 3.5;
     m.v.y = -1;
-    double least;
-    const double expected = m.scan(200000, least);
+    double minGap;
+    const double expected = m.scan(200000, minGap);
     EXPECT_GT(expected, 1.5);
     EXPECT_NEAR(m.solve(), expected, 1e-13);
 }

@@ -345,7 +345,7 @@ TEST(solidExchange, spheresTooLightToBeBodiesAreSparedTheNoise)
         const double E0 = scale(exchange, c, weight);
         const vector3 P0 = weight*exchange.of(c.gas()).momentum
           + exchange.of(c.solids()).momentum;
-        double least = Tp;
+        double minTemperature = Tp;
         const int steps = 400;
         for (int step = 0; step < steps; ++step)
         {
@@ -353,10 +353,13 @@ TEST(solidExchange, spheresTooLightToBeBodiesAreSparedTheNoise)
             (
                 c.gas(), c.solids(), weight, V, 1e-6, ledger, 0, step, counts
             );
-            least = std::min(least, *std::min_element(c.T.begin(), c.T.end()));
+            minTemperature = std::min
+            (
+                minTemperature, *std::min_element(c.T.begin(), c.T.end())
+            );
         }
         EXPECT_EQ(counts.light, light ? 4*steps : 0) << ratio;
-        EXPECT_GT(least, 0.1*Tg) << ratio;
+        EXPECT_GT(minTemperature, 0.1*Tg) << ratio;
         EXPECT_NEAR
         (
             (scale(exchange, c, weight) + ledger.energy)/E0, 1, 1e-11
@@ -595,7 +598,7 @@ TEST(solidExchange, keepsBalancesWhenCorrected)
             const balance g0 = exchange.of(c.gas());
             const balance s0 = exchange.of(c.solids());
             const balance l0 = ledger;
-            const double size = scale(exchange, c, weight);
+            const double magnitude = scale(exchange, c, weight);
             exchange.exchange
             (
                 c.gas(), c.solids(), weight, V, 1e-6, ledger, 0, step, counts
@@ -605,8 +608,8 @@ TEST(solidExchange, keepsBalancesWhenCorrected)
             change += ledger - l0;
             if (m == mode::perCell)
             {
-                EXPECT_LT(std::fabs(change.energy), 1e-12*size);
-                EXPECT_LT(mag(change.momentum), 1e-12*size/900);
+                EXPECT_LT(std::fabs(change.energy), 1e-12*magnitude);
+                EXPECT_LT(mag(change.momentum), 1e-12*magnitude/900);
             }
         }
         // It was far from free-molecular

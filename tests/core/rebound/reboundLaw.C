@@ -225,7 +225,7 @@ TEST(reboundLaw, boundsTheEnergyOnlyUpToTheKnownRestitution)
     // (1 - an^2) M_nn >= M_tn M_tt^-1 M_nt
     auto bound = [](const convexBody& body)
     {
-        double least = 1;
+        double minSquare = 1;
         counterRandom rnd(8);
         for (int i = 0; i < 200000; ++i)
         {
@@ -238,9 +238,9 @@ TEST(reboundLaw, boundsTheEnergyOnlyUpToTheKnownRestitution)
             const Eigen::Vector3d e = eigen(n);
             const double Mnn = e.dot(W.inverse()*e);
             const double Wnn = e.dot(W*e);
-            least = std::min(least, 1/(Mnn*Wnn));
+            minSquare = std::min(minSquare, 1/(Mnn*Wnn));
         }
-        return std::sqrt(least);
+        return std::sqrt(minSquare);
     };
     EXPECT_NEAR(bound(convexBody::sphere(1)), 1, 1e-12);
     EXPECT_NEAR(bound(convexBody::ellipsoid({1, 0.8, 0.8})), 0.961, 0.002);
@@ -337,7 +337,7 @@ TEST(reboundLaw, frictionAgreesWithAPlainIntegration)
         Eigen::Vector3d v = eigen(c.V + cross(c.omega, c.r));
         const double v0 = v.norm();
         Eigen::Vector3d S = Eigen::Vector3d::Zero();
-        double work = 0, least = 0;
+        double work = 0, minWork = 0;
         const double dp = 2e-6*v0;
         for (int k = 0; k < 20000000; ++k)
         {
@@ -347,8 +347,8 @@ TEST(reboundLaw, frictionAgreesWithAPlainIntegration)
             S += dp*d;
             work += dp*(v.dot(n) + 0.5*dp*n.dot(W*d));
             v += dp*(W*d);
-            least = std::min(least, work);
-            if (v.dot(n) > 0 && work >= least*(1 - e*e))
+            minWork = std::min(minWork, work);
+            if (v.dot(n) > 0 && work >= minWork*(1 - e*e))
             {
                 break;
             }

@@ -141,10 +141,10 @@ TEST(scatteringSampler, capsVisitsToASmoothWallAsTheGeneralSearchDoes)
         }
     )
     {
-        for (int most : {1, 2, 3})
+        for (int maxImpacts : {1, 2, 3})
         {
             scatteringSampler::setup s = basic(body);
-            s.maxImpacts = most;
+            s.maxImpacts = maxImpacts;
             const int n = 8192;
             const scatteringStatistics r = run(s, n);
             double impacts = 0, second = 0, capped = 0;
@@ -154,7 +154,7 @@ TEST(scatteringSampler, capsVisitsToASmoothWallAsTheGeneralSearchDoes)
                 second += one.second;
                 capped += one.capped;
             }
-            EXPECT_GT(capped, most < 3 ? 10 : 0);
+            EXPECT_GT(capped, maxImpacts < 3 ? 10 : 0);
             EXPECT_NEAR(r.count(S::capped), capped, 1);
             EXPECT_NEAR(r.count(S::secondImpact), second, 1);
             EXPECT_NEAR

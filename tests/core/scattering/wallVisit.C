@@ -70,18 +70,18 @@ double bruteGap
 {
     const double cx = s.x + s.V.x*t;
     const double cy = s.y + s.V.y*t;
-    double least = 1e300;
+    double minGap = 1e300;
     std::int64_t k = piece.find(cx, 0);
     for (const vector3& p : points)
     {
         const double x = cx + dot(r.ex, p);
         const double y = cy + dot(r.ey, p);
-        if (y - piece.model().top() < least)
+        if (y - piece.model().top() < minGap)
         {
-            least = std::min(least, y - piece.height(x, k));
+            minGap = std::min(minGap, y - piece.height(x, k));
         }
     }
-    return least;
+    return minGap;
 }
 
 

@@ -26,15 +26,15 @@ using namespace impact;
 //- Smallest and largest of what a law gives, and whether all are finite
 struct extremes
 {
-    double least = HUGE_VAL, most = -HUGE_VAL;
+    double min = HUGE_VAL, max = -HUGE_VAL;
     int n = 0;
     bool finite = true;
 
     void add(double value)
     {
         finite = finite && std::isfinite(value);
-        least = std::min(least, value);
-        most = std::max(most, value);
+        min = std::min(min, value);
+        max = std::max(max, value);
         ++n;
     }
 
@@ -43,7 +43,7 @@ struct extremes
         std::printf
         (
             "%s | %s | %d values from %.4g to %.4g | %s\n",
-            name, expected, n, least, most, finite && good ? "ok" : "FAILED"
+            name, expected, n, min, max, finite && good ? "ok" : "FAILED"
         );
     }
 };
@@ -51,10 +51,10 @@ struct extremes
 
 //- Zero, and powers of ten from 1e-least to 1e+most with three steps each
 template<class F>
-void sweep(int least, int most, const F& f)
+void sweep(int min, int max, const F& f)
 {
     f(0.);
-    for (int i = -3*least; i <= 3*most; ++i)
+    for (int i = -3*min; i <= 3*max; ++i)
     {
         f(std::pow(10., i/3.));
     }
@@ -92,7 +92,7 @@ void henderson()
             name, sizeof name, "Henderson's drag, Tw/T = %g, Re 0 to 1e12, "
             "M 0 to 1e30", TwOverT
         );
-        CdRe.row(name, "finite, never thrust", CdRe.least >= 0);
+        CdRe.row(name, "finite, never thrust", CdRe.min >= 0);
         std::snprintf
         (
             name, sizeof name, "Henderson's drag, Tw/T = %g, Re 0 to 1e-6, "
@@ -101,7 +101,7 @@ void henderson()
         slow.row
         (
             name, "24/Re within 0.4 %",
-            slow.least > 0.996 && slow.most < 1.004
+            slow.min > 0.996 && slow.max < 1.004
         );
     }
 }
@@ -142,7 +142,7 @@ void dragLaws()
                 kind.name
               + std::string(", Tp/T 1e-3 to 1000, Re and M 0 to 1e100")
             ).c_str(),
-            "finite, never thrust", CdRe.least >= 0
+            "finite, never thrust", CdRe.min >= 0
         );
     }
 }
@@ -172,7 +172,7 @@ void heatLaws()
         Nu.row
         (
             ("Heat law " + name + ", Re and M 0 to 1e100").c_str(),
-            "finite, positive", Nu.least >= 0
+            "finite, positive", Nu.min >= 0
         );
     }
 }
@@ -197,7 +197,7 @@ void spin()
     lift.row
     (
         "Magnus coefficient, Re and spin Re 0 to 1e30", "from 0 to 1",
-        lift.least >= 0 && lift.most <= 1
+        lift.min >= 0 && lift.max <= 1
     );
 
     extremes torque, left;
@@ -218,12 +218,12 @@ void spin()
     torque.row
     (
         "torque, spin Re 0 to 1e30", "at least Stokes' 64 pi",
-        torque.least > 64*M_PI*(1 - 1e-2)
+        torque.min > 64*M_PI*(1 - 1e-2)
     );
     left.row
     (
         "spin left after 0 to 1e30 relaxation times, spin Re 0 to 1e30",
-        "from 0 to 1", left.least >= 0 && left.most <= 1
+        "from 0 to 1", left.min >= 0 && left.max <= 1
     );
 }
 

@@ -235,7 +235,7 @@ bool Foam::NewtonKrylov::solve
 Foam::scalar Foam::NewtonKrylov::limit(std::vector<double>& change) const
 {
     const int nDim = nVar_ - 2;
-    const scalar most = 0.3;
+    const scalar maxChange = 0.3;
     label nLimited = 0;
 
     for (label c = 0; c < nCells_; c++)
@@ -254,11 +254,11 @@ Foam::scalar Foam::NewtonKrylov::limit(std::vector<double>& change) const
         const double rhoe = w[1] - 0.5*w[0]*uu;
         const double drhoe = x[1]*s[1] - udm + 0.5*uu*x[0]*s[0];
         const double worst = max(mag(x[0]*s[0])/w[0], mag(drhoe)/rhoe);
-        if (worst > most)
+        if (worst > maxChange)
         {
             for (int k = 0; k < nVar_; k++)
             {
-                x[k] *= most/worst;
+                x[k] *= maxChange/worst;
             }
             nLimited++;
         }

@@ -83,10 +83,10 @@ struct fluxJacobian
     //  magnitudes, none below a share of the largest
     void magnitude(const double floor, double (&M)[nVar][nVar]) const
     {
-        const double least = floor*(std::fabs(un) + a);
-        const double l0 = std::max(std::fabs(un - a), least);
-        const double l1 = std::max(std::fabs(un), least);
-        const double l2 = std::max(std::fabs(un + a), least);
+        const double minSpeed = floor*(std::fabs(un) + a);
+        const double l0 = std::max(std::fabs(un - a), minSpeed);
+        const double l1 = std::max(std::fabs(un), minSpeed);
+        const double l2 = std::max(std::fabs(un + a), minSpeed);
         const double linear = 0.5*(l2 - l0)/a;
         const double square = 0.5*(l2 - 2*l1 + l0)/(a*a);
 
@@ -483,7 +483,11 @@ void Foam::NewtonKrylov::addDiffusion()
     faces(0, mesh.nInternal());
     for (const gasMesh::patchRange& patch : mesh.patches())
     {
-        if (patch.coupled || !(patch.image() || gas_.frictionless(patch.patchi)))
+        if
+        (
+            patch.coupled
+         || !(patch.image() || gas_.frictionless(patch.patchi))
+        )
         {
             faces(patch.start, patch.start + patch.size);
         }

@@ -68,9 +68,9 @@ impactKernel void impact::motionKernels::gas
             g.u[k][i] = q[k];
             g.spin[k][i] = q[3 + k];
         }
-        g.rho[i] = larger(q[6], f.least[0]);
-        g.mu[i] = larger(q[7], f.least[1]);
-        g.T[i] = larger(q[8], f.least[2]);
+        g.rho[i] = larger(q[6], f.minima[0]);
+        g.mu[i] = larger(q[7], f.minima[1]);
+        g.T[i] = larger(q[8], f.minima[2]);
     }
 }
 

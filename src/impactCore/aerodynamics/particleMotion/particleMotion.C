@@ -32,9 +32,9 @@ const inverseFactorials inverse;
 
 //- phi_1 ... phi_4 at z
 template<class Number>
-void phiFunctions(const Number& z, double size, Number* phi)
+void phiFunctions(const Number& z, double magnitude, Number* phi)
 {
-    if (size < 1)
+    if (magnitude < 1)
     {
         // Down from the series of phi_4: upwards the differences would cancel
         Number sum = inverse.value[23];

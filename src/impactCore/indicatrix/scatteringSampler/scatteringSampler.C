@@ -120,11 +120,11 @@ void impact::scatteringSampler::setSmoothBody()
     // h'' = rho |m'|^2 - h |m'|^2 + r_t m''_t, rho between its radii of
     // curvature, r_t the offset of the contact point from the normal
     const double a = b.along, c = b.across, R = b.radius;
-    const double least = std::min(a, c), longest = std::max(a, c);
+    const double shortest = std::min(a, c), longest = std::max(a, c);
     const double skewed =
-        (b.box ? R : R - least)*freeRotation::skewness(body);
+        (b.box ? R : R - shortest)*freeRotation::skewness(body);
     b.bend = 1.0001*(R - body.minCurvature() + skewed);
-    b.sink = 1.0001*(longest*longest/least - least + skewed);
+    b.sink = 1.0001*(longest*longest/shortest - shortest + skewed);
     b.normal = s.law.normal()(s.incidence, s.speed);
     b.tangential = s.law.other()(s.incidence, s.speed);
     for (int i = 0; i < 3; ++i)
@@ -348,7 +348,7 @@ void impact::scatteringSampler::sampleSmooth
 ) const
 {
     const bool once = setup_.treatment == visitTreatment::firstImpact;
-    const int most = once ? 1 : setup_.maxImpacts;
+    const int maxImpacts = once ? 1 : setup_.maxImpacts;
     const bool isotropic = setup_.orientation == orientationLaw::isotropic;
     auto wholeVectors = [](int k) { return (k + 7) & ~7; };
     smoothLanes& flying = w.flying;
@@ -382,7 +382,7 @@ void impact::scatteringSampler::sampleSmooth
                     continue;
                 }
                 const bool strikes = status == smoothStatus::strikes;
-                if (strikes && flying.impacts[i] < most)
+                if (strikes && flying.impacts[i] < maxImpacts)
                 {
                     copyLane(flying, i, striking, m++);
                 }

@@ -104,7 +104,7 @@ impactInline void begin
     const double fastest =
         std::sqrt(V.x*V.x + V.y*V.y) + std::sqrt(w2)*R + 1e-100;
     const double reach = boundedReach(b.bend*w2, 0, fastest, R, 0, 0);
-    const double least = minAdvance*R/fastest;
+    const double minStep = minAdvance*R/fastest;
     put(l.axisL, i, (1/nonZero(magL))*L);
     l.rateL[i] = magL/b.Jc;
     l.rateAxis[i] = ratio*w.x;
@@ -112,7 +112,7 @@ impactInline void begin
     l.t[i] = 0;
     l.gap[i] = 0;
     l.reach[i] = reach;
-    l.least[i] = least;
+    l.minStep[i] = minStep;
     l.trials[i] = 0;
 
     // Rises faster than any point can sink? Or is out of reach after the time
@@ -124,7 +124,7 @@ impactInline void begin
       ? smoothStatus::gone : smoothStatus::flies;
     const double first =
         stepAhead(0, std::sqrt(allowedDepth*R), rise, reach);
-    l.tau[i] = larger(smaller(first, 8e10*least), least);
+    l.tau[i] = larger(smaller(first, 8e10*minStep), minStep);
 }
 
 
@@ -198,14 +198,14 @@ impactInline void advance
 
         // See searchStep
         const double reach = l.reach[i];
-        const double least = l.least[i];
+        const double minStep = l.minStep[i];
         const double root0 = std::sqrt(g0 + allowed);
         const double above = positivePart(g1);
         const double root1 = std::sqrt(above + allowed);
         const bool pierced = pierces(g1, tolerance);
-        const bool clear = isClear(pierced, root0, root1, reach, tau, least);
+        const bool clear = isClear(pierced, root0, root1, reach, tau, minStep);
         const bool touches = clear & isContact(g1, rate1, tolerance);
-        const bool strikes = touches | (pierced & (tau <= least));
+        const bool strikes = touches | (pierced & (tau <= minStep));
         const bool gone = clear & (Vy > 0) & (y1 > R);
         const bool moves = clear & !touches;
 
@@ -222,7 +222,7 @@ impactInline void advance
         l.t[i] = moves ? t1 : l.t[i];
         l.gap[i] = moves ? above : g0;
         l.tau[i] =
-            strikes ? tau : larger(smaller(next, 8e10*least), least);
+            strikes ? tau : larger(smaller(next, 8e10*minStep), minStep);
     }
 }
 

@@ -264,7 +264,7 @@ double impact::scatteringStatistics::deviationBeta() const
 double impact::scatteringStatistics::modeAlpha() const
 {
     int best = 0;
-    std::int64_t most = -1;
+    std::int64_t maxCount = -1;
     std::vector<std::int64_t> n(nAlpha_ + 2, 0);
     for (int i = 0; i < nAlpha_; ++i)
     {
@@ -275,9 +275,9 @@ double impact::scatteringStatistics::modeAlpha() const
         const std::int64_t three = n[i] + n[i + 1] + n[i + 2];
 
         // A peak one bin wide gives three equal means: the middle one
-        if (three > most || (three == most && n[i + 1] > n[best + 1]))
+        if (three > maxCount || (three == maxCount && n[i + 1] > n[best + 1]))
         {
-            most = three;
+            maxCount = three;
             best = i;
         }
     }

@@ -456,16 +456,16 @@ double impact::plumeStatistics::largestError() const
         for (int group = 0; group < nGroups(); ++group)
         {
             const cellSum* sums = cells(int(grid), group);
-            std::int64_t most = 0;
+            std::int64_t maxCount = 0;
             for (int i = 0; i < nCells; ++i)
             {
-                most = std::max(most, sums[i].n);
+                maxCount = std::max(maxCount, sums[i].n);
             }
             const double N = double(sampled(group));
             for (int i = 0; i < nCells; ++i)
             {
                 const double n = double(sums[i].n);
-                if (most > 0 && n >= 0.1*double(most))
+                if (maxCount > 0 && n >= 0.1*double(maxCount))
                 {
                     worst = std::max(worst, std::sqrt((1 - n/N)/n));
                 }

@@ -96,7 +96,7 @@ vector3 areaVector(const surface& s, const std::vector<int>& face)
 }
 
 
-void checkClosedAndConvex(const surface& s, double size)
+void checkClosedAndConvex(const surface& s, double radius)
 {
     std::map<std::pair<int, int>, int> count;
     for (const auto& face : s.faces)
@@ -130,7 +130,7 @@ void checkClosedAndConvex(const surface& s, double size)
         const vector3 n = (1/mag(a))*a;
         for (const vector3& p : s.points)
         {
-            if (dot(n, p - s.points[face[0]]) > 1e-6*size)
+            if (dot(n, p - s.points[face[0]]) > 1e-6*radius)
             {
                 throw std::invalid_argument
                 (
@@ -335,7 +335,7 @@ void impact::convexBody::setPolyhedron(surface s)
         );
     }
     vector3 origin = {0, 0, 0};
-    double size = 0;
+    double radius = 0;
     for (const vector3& p : s.points)
     {
         origin = origin + (1./s.points.size())*p;
@@ -343,9 +343,9 @@ void impact::convexBody::setPolyhedron(surface s)
     for (vector3& p : s.points)
     {
         p = p - origin;
-        size = std::max(size, mag(p));
+        radius = std::max(radius, mag(p));
     }
-    if (!(size > 0) || !(size < 1e100))
+    if (!(radius > 0) || !(radius < 1e100))
     {
         throw std::invalid_argument
         (
@@ -354,7 +354,7 @@ void impact::convexBody::setPolyhedron(surface s)
     }
 
     surfaceMoments moments(s);
-    if (moments.volume6 < -1e-9*size*size*size)
+    if (moments.volume6 < -1e-9*radius*radius*radius)
     {
         throw std::invalid_argument
         (
@@ -362,7 +362,7 @@ void impact::convexBody::setPolyhedron(surface s)
             " counter-clockwise seen from outside"
         );
     }
-    checkClosedAndConvex(s, size);
+    checkClosedAndConvex(s, radius);
     if (!(moments.volume6 > 0))
     {
         throw std::invalid_argument("the polyhedron has no volume");
@@ -487,11 +487,11 @@ double impact::convexBody::minCurvature() const
     {
         return 0;
     }
-    const double least = std::min({semiAxes_.x, semiAxes_.y, semiAxes_.z});
+    const double minAxis = std::min({semiAxes_.x, semiAxes_.y, semiAxes_.z});
 
-    // least <= radius, but the quotient may round up: no ball is larger than
+    // minAxis <= radius, but the quotient may round up: no ball is larger than
     // the body
-    return std::min(least, least*least/radius_);
+    return std::min(minAxis, minAxis*minAxis/radius_);
 }
 
 

@@ -200,10 +200,13 @@ double impact::freeRotation::maxOmega() const
     }
     // |omega|^2 <= |L|^2/Jmin^2 and <= 2T/Jmin
     const vector3 L = multiply(J, initial_.omega);
-    const double least = std::min({J.x, J.y, J.z});
+    const double minMoment = std::min({J.x, J.y, J.z});
     return std::sqrt
     (
-        std::min(dot(L, initial_.omega)/least, dot(L, L)/(least*least))
+        std::min
+        (
+            dot(L, initial_.omega)/minMoment, dot(L, L)/(minMoment*minMoment)
+        )
     );
 }
 

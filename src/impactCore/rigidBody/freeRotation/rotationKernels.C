@@ -29,8 +29,8 @@ impactInline void put(double* p, const lanes& a)
 //- The terms of a vector, as both factors of a cross product take them
 struct crossTerms
 {
-    static constexpr int most = 32;
-    lanes yzx[most], zxy[most];
+    static constexpr int maxOrder = 32;
+    lanes yzx[maxOrder], zxy[maxOrder];
 
     impactInline void add(int n, const lanes& a)
     {

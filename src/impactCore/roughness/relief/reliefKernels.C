@@ -141,9 +141,9 @@ impactKernel void splineCeilings
         const double h = spacing[i + 1];
         const double y0 = height[i], y1 = height[i + 1];
         const double m0 = moment[i], m1 = moment[i + 1];
-        const double least = m0 < m1 ? m0 : m1;
+        const double minMoment = m0 < m1 ? m0 : m1;
         const double higher = y0 > y1 ? y0 : y1;
-        const double bow = 0.5*h*h*positivePart(-least);
+        const double bow = 0.5*h*h*positivePart(-minMoment);
         const double over = positivePart(bow - std::fabs(y1 - y0));
         ceiling[i] = higher + 0.25*over*over/nonZero(bow);
     }
@@ -220,10 +220,10 @@ impactKernel void splineShapes
         const double root = std::sqrt(positivePart(disc));
         const double num = q > 0 ? -q - root : b;
         const double den = q > 0 ? 3*p : root - q;
-        const double size = den < 0 ? -den : den;
-        const double ratio = num/(size + 1e-300);
+        const double magnitude = den < 0 ? -den : den;
+        const double ratio = num/(magnitude + 1e-300);
         const double u = den < 0 ? -ratio : ratio;
-        const bool inside = (disc > 0) & (size > 0) & (u > 0) & (u < h);
+        const bool inside = (disc > 0) & (magnitude > 0) & (u > 0) & (u < h);
         const double at = inside ? u : 0;
         const double peak = y0 + at*(b + at*(q + at*p));
         const double higher = y0 > y1 ? y0 : y1;
@@ -237,8 +237,8 @@ impactKernel void splineShapes
         const bool turns = ((m0 > 0) != (m1 > 0)) & (bend > 0);
         steep[i] = turns & (flexSize > steepest) ? flexSize : steepest;
 
-        const double least = m0 < m1 ? m0 : m1;
-        crest[i] = least < 0 ? -least : 0;
+        const double minMoment = m0 < m1 ? m0 : m1;
+        crest[i] = minMoment < 0 ? -minMoment : 0;
         c1[i] = b;
         c3[i] = p;
     }

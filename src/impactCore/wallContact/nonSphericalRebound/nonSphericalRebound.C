@@ -196,12 +196,12 @@ impact::wallDeparture impact::nonSphericalRebound::depart
     if (random)
     {
         const double speed = mag(V);
-        static const double least = std::sin(minIncidence*pi/180);
-        if (-V.y < least*speed)
+        static const double minSine = std::sin(minIncidence*pi/180);
+        if (-V.y < minSine*speed)
         {
             const double along = std::hypot(V.x, V.z);
-            const double f = speed*std::sqrt(1 - least*least)/along;
-            b.V = {f*V.x, -least*speed, f*V.z};
+            const double f = speed*std::sqrt(1 - minSine*minSine)/along;
+            b.V = {f*V.x, -minSine*speed, f*V.z};
             out.raised = true;
         }
     }

@@ -65,8 +65,8 @@ bool agree(const std::string& a, const std::string& b)
         const double p = std::strtod(x.c_str(), &endX);
         const double q = std::strtod(y.c_str(), &endY);
         const bool numbers = !*endX && !*endY;
-        const double most = std::max(std::fabs(p), std::fabs(q));
-        if (numbers ? std::fabs(p - q) > 1e-6*most : x != y)
+        const double larger = std::max(std::fabs(p), std::fabs(q));
+        if (numbers ? std::fabs(p - q) > 1e-6*larger : x != y)
         {
             return false;
         }

@@ -64,22 +64,22 @@ impactKernel void shadowGaps
 impactKernel double smallest(int n, const double* x)
 {
     constexpr int lanes = 8;
-    double least[lanes];
+    double minima[lanes];
     for (int k = 0; k < lanes; ++k)
     {
-        least[k] = x[k];
+        minima[k] = x[k];
     }
     for (int i = lanes; i < n; i += lanes)
     {
         for (int k = 0; k < lanes; ++k)
         {
-            least[k] = x[i + k] < least[k] ? x[i + k] : least[k];
+            minima[k] = x[i + k] < minima[k] ? x[i + k] : minima[k];
         }
     }
-    double s = least[0];
+    double s = minima[0];
     for (int k = 1; k < lanes; ++k)
     {
-        s = least[k] < s ? least[k] : s;
+        s = minima[k] < s ? minima[k] : s;
     }
     return s;
 }
