@@ -302,6 +302,22 @@ def annotated_subjects(asked):
                       texts, s.free, s.stock)
 
 
+def report(order, count, wrong, tests):
+    """One line for each subject, in their order."""
+    for name in order:
+        n, refused = count[name]
+        bad = sorted(wrong.get(name, []))
+        said = f"{n} mistakes, {refused} refused, {n - refused} run"
+        if tests:
+            print(f"FAIL {name}: " + "; ".join(bad[:5]) if bad
+                  else f"PASS {name} ({said})")
+        else:
+            print(f"mistakes in {name} | none crashes, hangs, is a misspelling"
+                  " accepted or a refusal that does not name its entry |"
+                  f" {said}" + (f"; wrong: {'; '.join(bad)}" if bad else "")
+                  + f" | {'FAILED' if bad else 'ok'}")
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--sample", type=int, default=0)
@@ -411,18 +427,7 @@ def main():
                     if asked.minutes else "all that are different")
         print(f"PASS {said}" if asked.tests else
               f"mistakes in tutorials | {expected} | {said} | ok")
-    for name in order:
-        n, refused = count[name]
-        bad = sorted(wrong.get(name, []))
-        said = f"{n} mistakes, {refused} refused, {n - refused} run"
-        if asked.tests:
-            print(f"FAIL {name}: " + "; ".join(bad[:5]) if bad
-                  else f"PASS {name} ({said})")
-        else:
-            print(f"mistakes in {name} | none crashes, hangs, is a misspelling"
-                  " accepted or a refusal that does not name its entry |"
-                  f" {said}" + (f"; wrong: {'; '.join(bad)}" if bad else "")
-                  + f" | {'FAILED' if bad else 'ok'}")
+    report(order, count, wrong, asked.tests)
     return bool(wrong)
 
 

@@ -630,9 +630,12 @@ def check_bad_input():
     verdict("refuses_parcelSize", status and "diameterTolerance" in text,
             complaint(text))
 
+
+def check_coarse_relief():
     case = new("coarse")
     at = (0.4, 0.005, 5e-5)
-    write_plate(case, N, ns(NON_SPHERICAL),
+    write_plate(case, "nonSphericalRebound",
+                patches(f"yMin {{ {NON_SPHERICAL} }}", LID),
                 [injector(at, at, 1, direction(18), BOX_D)],
                 cells=(10000, 1, 1), lengths=(1, 0.1, 1e-4))
     mesh(case)
@@ -673,6 +676,7 @@ def main():
     check_plane()
     check_sliding()
     check_bad_input()
+    check_coarse_relief()
 
 
 if __name__ == "__main__":
