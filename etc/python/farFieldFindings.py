@@ -3,15 +3,8 @@
 the tables of freeMolecularPlume: the value of each, by its name in
 paperStatements.py."""
 
-import os
-import sys
-
 import numpy as np
-
-sys.path.insert(0, os.path.join(
-    os.environ["PARCEL_IMPACT_DIR"],
-    "applications/utilities/freeMolecularPlume"))
-from plumeData import summary, table
+from csvTables import summary, table
 
 
 def findings(folder):

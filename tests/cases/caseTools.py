@@ -5,8 +5,12 @@ import os
 import re
 import shutil
 import subprocess
+import sys
 
 import numpy as np
+
+sys.path.append(os.environ["PARCEL_IMPACT_DIR"] + "/etc/python")
+from foamFiles import read as read_field, times as times_of
 
 R_GAS = 287.05      # [J/(kg K)], from the molecular weight below
 GAMMA = 1.4
@@ -222,60 +226,6 @@ def solve(case, ranks=1):
 
 
 # ------------------------------------------------------------------- reading
-
-def read_field(path):
-    """Internal field of a volume field file, or a field without boundary, one
-    row per cell; a uniform field gives a single value."""
-    with open(path, "rb") as file:
-        data = file.read()
-    vector = re.search(rb"class\s+volVectorField", data) is not None
-    width = 3 if vector else 1
-    head = re.search(rb"(?:internalField|value)\s+nonuniform\s+List<\w+>\s+(\d+)\s*\(",
-                     data)
-    if head is None:
-        head = re.search(rb"(?:internalField|value)\s+uniform\s+\(?([^;)]*)", data)
-        return np.array(head.group(1).split(), float).squeeze()
-    n = int(head.group(1))
-    if re.search(rb"format\s+binary", data):
-        values = np.frombuffer(data, float, n*width, head.end())
-    else:
-        text = data[head.end():].replace(b"(", b" ").replace(b")", b" ")
-        values = np.array(text.split(None, n*width)[:n*width], float)
-    return values.reshape(n, 3) if vector else values
-
-
-def binary_list(path, width):
-    """Numbers of a binary list, one row of the width per entry."""
-    with open(path, "rb") as file:
-        data = file.read()
-    head = re.search(rb"\n(\d+)\s*\(", data)
-    if head is None:
-        return np.empty((0, width))
-    kind = np.int32 if b"labelField" in data[:900] else np.float64
-    return np.frombuffer(data, kind, int(head.group(1))*width,
-                         head.end()).reshape(-1, width)
-
-
-def parcel_rows(case, cloud, name, width):
-    """Numbers of a field of parcels at the latest time, in an ASCII file, one
-    row per parcel."""
-    with open(os.path.join(case, times_of(case)[-1], "lagrangian", cloud,
-                           name)) as file:
-        text = file.read()
-    if "{" in text.split("// * *", 1)[1]:
-        n, value = re.search(r"\n(\d+)\{(.*)\}", text).groups()
-        return np.tile(np.array(value.strip("()").split(), float),
-                       (int(n), 1))
-    body = re.search(r"\n\d+\s*\((.*)\)", text, re.S).group(1)
-    return np.array(re.sub("[()]", " ", body).split(), float).reshape(
-        -1, width)
-
-
-def times_of(case):
-    names = [d for d in os.listdir(case)
-             if re.fullmatch(r"[0-9][0-9.e+-]*", d)]
-    return sorted(names, key=float)
-
 
 def last_fields(case, names="p T U rho", time=None):
     time = time or times_of(case)[-1]

@@ -6,7 +6,9 @@ import re
 
 import numpy as np
 
-from caseTools import SIDES, box, must, write_block, write_foam, entries
+from caseTools import (SIDES, box, entries, must, read_field, write_block,
+                       write_foam)
+from foamFiles import positions
 
 K = 1.380649e-23    # [J/K]
 
@@ -125,32 +127,11 @@ def read_molecules(case, time):
     """Positions, cells and fields of the molecules, from binary files."""
     folder = os.path.join(case, time, "lagrangian/dsmc")
 
-    def body(name):
-        with open(os.path.join(folder, name), "rb") as file:
-            data = file.read()
-        head = re.search(rb"\n\}\n.*?\n(\d+)\s*\(", data, re.S)
-        return int(head.group(1)), data, head.end()
-
-    n, data, at = body("positions")
-    # Each entry stands in brackets on a line of its own
-    rows = np.frombuffer(data, np.dtype([
-        ("open", "S1"), ("x", "3f8"), ("cell", "i4"), ("close", "S2")]), n,
-        at + 1)
-    fields = {}
-    for name, kind in (("U", "3f8"), ("Ei", "f8"), ("typeId", "i4")):
-        m, data, at = body(name)
-        fields[name] = np.frombuffer(data, np.dtype(kind), m, at)
-    return rows["x"].copy(), rows["cell"].copy(), fields
+    x, cell = positions(folder)
+    return x, cell, {name: read_field(os.path.join(folder, name))
+                     for name in ("U", "Ei", "typeId")}
 
 
 def read_wall(case, time, name, patch):
-    """Values of a field on a patch, from a binary file."""
-    with open(os.path.join(case, time, name), "rb") as file:
-        data = file.read()
-    at = re.search(rb"\n    " + patch.encode() + rb"\s+\{", data).end()
-    width = 3 if b"volVectorField" in data else 1
-    head = re.compile(rb"value\s+nonuniform\s+List<\w+>\s+(\d+)\s*\(")
-    found = head.search(data, at)
-    n = int(found.group(1))
-    return np.frombuffer(data, float, n*width,
-                         found.end()).reshape(n, -1).squeeze()
+    """Values of a field on a patch."""
+    return read_field(os.path.join(case, time, name), patch)

@@ -6,7 +6,8 @@ import re
 
 import numpy as np
 
-from caseTools import write_foam
+from caseTools import read_field, write_foam
+from foamFiles import positions
 
 PROPERTIES = "constant/solidParticleProperties"
 NUMBER = r"([-+0-9.eE]+)"
@@ -40,23 +41,9 @@ def read_solids(case, time):
     """Positions and fields of the particles, from binary files."""
     folder = os.path.join(case, time, "lagrangian/solids")
 
-    def body(name):
-        with open(os.path.join(folder, name), "rb") as file:
-            data = file.read()
-        head = re.search(rb"\n\}\n.*?\n(\d+)\s*\(", data, re.S)
-        if head is None:        # an empty list
-            return 0, data, 0
-        return int(head.group(1)), data, head.end()
-
-    n, data, at = body("positions")
-    rows = np.frombuffer(data, np.dtype([
-        ("open", "S1"), ("x", "3f8"), ("cell", "i4"), ("close", "S2")]), n,
-        at + 1)
-    fields = {"x": rows["x"].copy(), "cell": rows["cell"].copy()}
-    for name, kind in (("U", "3f8"), ("T", "f8"), ("nParticle", "f8"),
-                       ("d", "f8"), ("group", "i4")):
-        m, data, at = body(name)
-        fields[name] = np.frombuffer(data, np.dtype(kind), m, at)
+    fields = dict(zip(("x", "cell"), positions(folder)))
+    for name in ("U", "T", "nParticle", "d", "group"):
+        fields[name] = read_field(os.path.join(folder, name))
     return fields
 
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from caseTools import (complaint, copy_case, decompose, edit, must, run,
                        times_of, verdict, write_foam)
+from csvTables import table
 from dsmcTools import solve, write_gas
 
 OPEN = dict.fromkeys(("xMin", "xMax", "yMin", "yMax", "zMin", "zMax"), "patch")
@@ -21,10 +22,7 @@ def records(case):
     """The last file of a case, by diameter."""
     folder = f"{case}/postProcessing/particleInterface"
     time = max(os.listdir(folder), key=float)
-    with open(f"{folder}/{time}/interface.csv") as file:
-        lines = [line for line in file if not line.startswith("#")]
-    names = lines[0].strip().split(",")
-    return dict(zip(names, np.loadtxt(lines[1:], delimiter=",").T))
+    return table(f"{folder}/{time}/interface.csv")
 
 
 write_gas("near", OPEN, (5, 2, 2), weight=1e12, density=1e18,

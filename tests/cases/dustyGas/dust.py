@@ -2,14 +2,14 @@
 """Cases of a gas with grains that exchange momentum and heat with it."""
 
 import os
-import re
 
 import numpy as np
 
-from caseTools import (GAMMA, R_GAS, binary_list, last_fields, must,
+from caseTools import (GAMMA, R_GAS, last_fields, must, read_field,
                        times_of, write_block, write_case,
                        write_field, write_foam)
 from caseTools import box as corners
+from foamFiles import positions
 
 CP = GAMMA*R_GAS/(GAMMA - 1)
 RHO_P = 2500.
@@ -124,14 +124,9 @@ def state(case, time=None):
 def read_dust(case, time):
     """x, velocity along x and temperature of the grains."""
     folder = os.path.join(case, time, "lagrangian", "sand")
-    with open(os.path.join(folder, "positions"), "rb") as file:
-        data = file.read()
-    head = re.search(rb"\n\}\n.*?\n(\d+)\s*\(", data, re.S)
-    rows = np.frombuffer(data, np.dtype([
-        ("open", "S1"), ("x", "3f8"), ("cell", "i4"), ("close", "S2")]),
-        int(head.group(1)), head.end() + 1)
-    return rows["x"][:, 0], binary_list(os.path.join(folder, "U"), 3)[:, 0], \
-        binary_list(os.path.join(folder, "T"), 1)[:, 0]
+    return (positions(folder)[0][:, 0],
+            read_field(os.path.join(folder, "U"))[:, 0],
+            read_field(os.path.join(folder, "T")))
 
 
 def dust_energy(case, time=None, parts=False, enthalpy=lambda T: CP_P*T):
@@ -139,13 +134,12 @@ def dust_energy(case, time=None, parts=False, enthalpy=lambda T: CP_P*T):
     time = time or times_of(case)[-1]
     folder = os.path.join(case, time, "lagrangian", "sand")
 
-    def read(name, width=1):
-        rows = binary_list(os.path.join(folder, name), width)
-        return rows[:, 0] if width == 1 else rows
+    def read(name):
+        return read_field(os.path.join(folder, name))
     d = read("d")
     mass = read("nParticle")*read("rho")*np.pi/6*d**3
-    each = (0.5*np.sum(mass[:, None]*read("U", 3)**2),
-            0.05*np.sum((mass*d**2)[:, None]*read("omega", 3)**2),
+    each = (0.5*np.sum(mass[:, None]*read("U")**2),
+            0.05*np.sum((mass*d**2)[:, None]*read("omega")**2),
             np.sum(mass*enthalpy(read("T"))))
     return each if parts else sum(each)
 

@@ -16,7 +16,7 @@ import sys
 import numpy as np
 
 import dust
-from caseTools import (GAMMA, R_GAS, binary_list, complaint, copy_case, decompose, edit,
+from caseTools import (GAMMA, R_GAS, complaint, copy_case, decompose, edit,
                        last_fields, must, run, same_bits, solve, times_of,
                        verdict, write_block, write_case, write_field,
                        write_foam)
@@ -221,9 +221,7 @@ def main():
         " particlePowerSum"
     time = times_of(straight)[-1]
     other = same_bits(straight, half, time, names)
-    other += [n for n in ("U", "T") if not np.array_equal(*(binary_list(
-        os.path.join(c, time, "lagrangian", "sand", n), 3 if n == "U" else 1)
-        for c in (straight, half)))]
+    other += same_bits(straight, half, f"{time}/lagrangian/sand", "U T")
     verdict("restart_in_a_window_is_bitwise", not other,
             f"different: {other}")
     decompose(ranks)

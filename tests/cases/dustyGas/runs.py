@@ -9,9 +9,9 @@ import re
 
 import numpy as np
 
-from caseTools import (GAMMA, binary_list, complaint, copy_case, decompose, edit,
-                       last_fields, must, run, solve, times_of, verdict,
-                       write_block, write_field, write_foam)
+from caseTools import (GAMMA, complaint, copy_case, decompose, edit,
+                       last_fields, must, read_field, run, solve, times_of,
+                       verdict, write_block, write_field, write_foam)
 from caseTools import box as corners
 from dust import (CP, CP_P, dust_energy, exchange, prandtl, read_dust, sealed,
                   state)
@@ -121,7 +121,7 @@ for name, change in (("rake", rake), ("stockInjection", lambda c: c)):
                                 p/(rho*T), rho)
         time = times_of(case)[-1]
         _, found, heat = read_dust(case, time)
-        age = binary_list(f"{case}/{time}/lagrangian/sand/age", 1)
+        age = read_field(f"{case}/{time}/lagrangian/sand/age")
         errors[name, n] = (max(np.abs(found - v[0]).max()/300,
                                np.abs(heat - hot).max()/200),
                            np.abs(age*n/4e-4 - n).max())
@@ -391,7 +391,7 @@ sealed("stock", 0.1, 2e-5, 30, 1e-5, u=(0, 0, 0), T=500., T_dust=490.,
        mode={"mode": "frozen"}, change=stock)
 solve("stock")
 time = times_of("stock")[-1]
-found = binary_list(f"stock/{time}/lagrangian/sand/T", 1)
+found = read_field(f"stock/{time}/lagrangian/sand/T")
 kappa = 1.458e-6*np.sqrt(500)/(1 + 110.4/500)*CP/prandtl(CP - CP/GAMMA)
 left = 10*np.exp(-6*2*kappa/(2500*(2e-5)**2*CP_P)*3e-4)
 verdict("stock_thermo_cloud", 1 < left < 9 and np.all(
@@ -451,15 +451,7 @@ time = times_of("load")[-1]
 
 def on_wall(name):
     """The value on yMin, where it is the same everywhere."""
-    with open(f"load/{time}/{name}", "rb") as file:
-        text = file.read()
-    part = text[text.index(b"yMin"):]
-    head = re.search(rb"value\s+(uniform\s+([^;]+);|nonuniform List<scalar>"
-                     rb"\s+(\d+)\s*\()", part)
-    if head.group(2):
-        return float(head.group(2))
-    values = np.frombuffer(part, float, int(head.group(3)), head.end())
-    return values.mean()
+    return np.mean(read_field(f"load/{time}/{name}", "yMin"))
 
 
 heat, power, incident, load, gas = (

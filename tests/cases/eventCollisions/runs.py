@@ -8,8 +8,8 @@ import re
 
 import numpy as np
 
-from caseTools import (binary_list, box, complaint, copy_case, decompose, edit,
-                       must, run, solve, times_of, verdict, write_block,
+from caseTools import (box, complaint, copy_case, decompose, edit, must,
+                       read_field, run, solve, times_of, verdict, write_block,
                        write_case, write_field, write_foam)
 
 N = (24, 12, 1)
@@ -146,11 +146,10 @@ def states(case, time):
     for folder in ranks or ["."]:
         cloud = os.path.join(case, folder, time, "lagrangian", "sand")
         if os.path.isdir(cloud):
-            columns = [binary_list(os.path.join(cloud, name), width)
-                       for name, width in (("origId", 1), ("U", 3),
-                                           ("omega", 3))]
+            columns = [read_field(os.path.join(cloud, name))
+                       for name in ("origId", "U", "omega")]
             sizes.append(len(columns[0]))
-            found.update((i, (u, w)) for (i,), u, w in zip(*columns))
+            found.update((i, (u, w)) for i, u, w in zip(*columns))
     return found, sizes
 
 
@@ -255,7 +254,7 @@ on_ranks("coupled_2", half("coupled", "embeddedRK54", gas="transient",
 def given(parts):
     """Momentum that the gas has received in the first step."""
     name = next(t for t in times_of(parts[0]) if float(t) > 4.1e-6)
-    return sum(binary_list(os.path.join(part, name, "sand:UTrans"), 3)
+    return sum(read_field(os.path.join(part, name, "sand:UTrans"))
                .sum(axis=0) for part in parts)
 
 

@@ -1,7 +1,6 @@
 # parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Tables and VTK files of one time of freeMolecularPlume: tables.py FOLDER"""
 
-import csv
 import math
 import re
 import sys
@@ -9,22 +8,19 @@ import sys
 import numpy as np
 
 from caseTools import verdict
+import csvTables
 
 folder = sys.argv[1]
 
 
 def table(name):
-    with open(f"{folder}/{name}.csv") as file:
-        rows = list(csv.DictReader(file))
-    return rows, {k: np.array([float(r[k] or "nan") for r in rows])
-                  for k in rows[0]}
+    return csvTables.table(f"{folder}/{name}.csv")
 
 
-with open(f"{folder}/summary.csv") as file:
-    about = {r["quantity"]: float(r["value"]) for r in csv.DictReader(file)}
+about = csvTables.summary(folder)
 
 # Numbers of real particles: density times volume, against what was emitted
-rows, t = table("map")
+t = table("map")
 dx, dr = 5e3, 5e3
 volume = math.pi*dx*((t["r"] + dr/2)**2 - (t["r"] - dr/2)**2)
 for group, emitted in ((1, 70e9), (2, 70e7), (0, 70e9 + 70e7)):
@@ -46,7 +42,7 @@ verdict("insideMap", about["testParticlesInside_map"] == 200000,
 # Cells without a particle have no temperature, the others have one
 empty = t["testParticles"] == 0
 verdict("emptyCells", empty.any() and not empty.all()
-        and all((r["temperature"] == "") == e for r, e in zip(rows, empty))
+        and np.array_equal(np.isnan(t["temperature"]), empty)
         and not t["numberDensity"][empty].any(),
         f"{empty.sum()} of {len(empty)} cells are empty and say so")
 T = t["temperature"][~empty]
@@ -56,11 +52,11 @@ verdict("temperatures", ((T > 278.67) & (T <= 2200)).all(),
 # Both grids hold all particles: the same mean temperature
 sums = []
 for name in ("map", "shells"):
-    data = table(name)[1]
+    data = table(name)
     some = (data["group"] == 1) & (data["testParticles"] > 0)
     n = data["testParticles"][some]
     sums.append((n*data["temperature"][some]).sum()/n.sum())
-groups = table("groups")[1]
+groups = table("groups")
 verdict("meanTemperature", np.allclose(sums, groups["meanTemperature"][0],
                                        rtol=1e-8),
         f"{sums} and {groups['meanTemperature'][0]} K")
@@ -92,7 +88,7 @@ def vtk(name):
 
 
 for name in ("axis", "map", "plane", "shells"):
-    data = table(name)[1]
+    data = table(name)
     size, coordinates, fields = vtk(name)
     cells = int(np.prod([max(n - 1, 1) for n in size]))
     good = len(fields) == 15

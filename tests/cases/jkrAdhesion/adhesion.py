@@ -10,8 +10,9 @@ import shutil
 
 import numpy as np
 
-from caseTools import complaint, copy_case, decompose, edit, must, run, verdict
-from plate import (SOLVER, _read, counters, injector, mesh, solve, write_plate)
+from caseTools import (complaint, copy_case, decompose, edit, must, read_field,
+                       run, verdict)
+from plate import (SOLVER, counters, injector, mesh, solve, write_plate)
 
 RHO = 2500.0
 MODULUS, WORK, ALPHA = 50e9, 0.1528, 1.1891
@@ -87,17 +88,9 @@ def all_parcels(case, time, *fields):
 
 
 def patch_field(case, time, name, patch):
-    """Values of a field on a patch, in binary."""
-    with open(f"{case}/{time}/{CLOUD}:{name}", "rb") as file:
-        data = file.read()
-    data = data[data.index(b"boundaryField"):]
-    data = data[data.index(b"\n    " + patch.encode() + b"\n"):]
-    found = re.search(rb"value\s+(uniform|nonuniform List<scalar>)\s*", data)
-    rest = data[found.end():]
-    if found.group(1) == b"uniform":
-        return np.array([float(rest[:rest.index(b";")])])
-    count = re.match(rb"(\d+)\s*\(", rest)
-    return np.frombuffer(rest, "<f8", int(count.group(1)), count.end())
+    """Values of a field on a patch."""
+    return np.atleast_1d(
+        read_field(f"{case}/{time}/{CLOUD}:{name}", patch))
 
 
 def fall(speed, *, tangential=0.0, n=1, d=D, x=(0.3, 0.7), y=1e-4,

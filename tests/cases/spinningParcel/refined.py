@@ -6,8 +6,9 @@ a temporary folder."""
 import numpy as np
 
 from caseTools import (SNAPPY_CONTROLS, box, copy_case, decompose, must,
-                       parcel_rows, solve, verdict, write_block, write_case, write_field,
-                       write_foam)
+                       read_field, solve, times_of, verdict, write_block,
+                       write_case, write_field, write_foam)
+from foamFiles import positions
 
 CLOUD = """
 type spinningKinematicCloud;
@@ -89,8 +90,8 @@ inside = ((there > 0) & (there < [0.08, 0.06, 0.06])).all(axis=1)
 
 def check(case, run):
     for name in CLOUDS:
-        ids = parcel_rows(case, name, "origId", 1)[:, 0].astype(int)
-        x = parcel_rows(case, name, "positions", 4)[:, :3]
+        folder = f"{case}/{times_of(case)[-1]}/lagrangian/{name}"
+        ids, x = read_field(f"{folder}/origId"), positions(folder)[0]
         error = (np.abs(x - there[ids]).max() if len(ids) == inside.sum()
                  else np.inf)
         verdict(f"refined_{name}_{run}", error < 1e-12,

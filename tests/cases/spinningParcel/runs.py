@@ -7,9 +7,10 @@ import os
 
 import numpy as np
 
-from caseTools import (GAMMA, R_GAS, binary_list, box, complaint, copy_case,
-                       decompose, edit, last_fields, must, run, solve, verdict, write_block,
-                       write_case, write_field, write_foam)
+from caseTools import (GAMMA, R_GAS, box, complaint, copy_case, decompose,
+                       edit, last_fields, must, run, solve, verdict,
+                       write_block, write_case, write_field, write_foam)
+from foamFiles import parcels as parcel_fields
 
 N = (24, 12, 1)
 LENGTH = (0.048, 0.024, 0.002)
@@ -82,11 +83,8 @@ def make(case, motion):
 
 def state(case, time):
     """Identity -> velocity and spin."""
-    folder = os.path.join(case, time, "lagrangian", "sand")
-    ids = binary_list(os.path.join(folder, "origId"), 1)[:, 0]
-    U = binary_list(os.path.join(folder, "U"), 3)
-    omega = binary_list(os.path.join(folder, "omega"), 3)
-    return {i: (u, w) for i, u, w in zip(ids, U, omega)}
+    return {i: (u, w) for i, u, w in zip(*parcel_fields(
+        case, time, "sand", "U", "omega"))}
 
 
 for motion in MOTIONS:

@@ -6,8 +6,10 @@ import re
 
 import numpy as np
 
-from caseTools import (complaint, copy_case, edit, must, parcel_rows, run,
-                       solve, verdict, write_case, write_field, write_foam)
+from caseTools import (complaint, copy_case, edit, must, read_field, run,
+                       solve, times_of, verdict, write_case, write_field,
+                       write_foam)
+from foamFiles import positions
 
 CLOUD = """
 type spinningKinematicCloud;
@@ -101,14 +103,15 @@ def of_axis(x, u, spin):
 
 identities = np.arange(40)
 for name, (_, _, velocity) in CLOUDS.items():
-    order = np.argsort(parcel_rows(case, name, "origId", 1)[:, 0])
+    folder = f"{case}/{times_of(case)[-1]}/lagrangian/{name}"
+    order = np.argsort(read_field(f"{folder}/origId"))
     n = len(order)
     if n != 40:
         verdict(f"wedge_{name}", False, f"{n} parcels of 40")
         continue
-    x = parcel_rows(case, name, "positions", 4)[order, :3]
-    u = parcel_rows(case, name, "U", 3)[order]
-    spin = parcel_rows(case, name, "omega", 3)[order]
+    x = positions(folder)[0][order]
+    u = read_field(f"{folder}/U")[order]
+    spin = read_field(f"{folder}/omega")[order]
     u0 = np.tile(np.array(velocity, float), (40, 1))
     there = (START + (LAST - START)*identities[:, None]/39 + END*u0)
     exact = of_axis(there, u0, np.tile([3e4, -4e4, 5e4], (40, 1)))

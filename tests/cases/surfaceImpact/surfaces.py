@@ -12,6 +12,7 @@ import numpy as np
 
 from caseTools import (complaint, copy_case, decompose, hard_sphere, must,
                        read_field, run, times_of, verdict, write_foam)
+import csvTables
 
 SOLVER = "uncoupledKinematicParcelFoam"
 CLOUD = "kinematicCloud"
@@ -111,11 +112,11 @@ def table(case, name="byAngle", time=None, function="surfaceImpact"):
     folder = os.path.join(case, "postProcessing", function, CLOUD)
     times = sorted((t for t in os.listdir(folder) if os.path.exists(
         os.path.join(folder, t, name + ".csv"))), key=float)
-    with open(os.path.join(folder, time or times[-1], name + ".csv")) as file:
-        rows = list(csv.reader(file))
-    return {key: np.array([float(v) if v else math.nan for v in column])
-            if key != "patch" else list(column)
-            for key, *column in zip(*rows)}
+    columns = csvTables.table(
+        os.path.join(folder, time or times[-1], name + ".csv"))
+    if "patch" in columns:
+        columns["patch"] = list(columns["patch"])
+    return columns
 
 
 def solve(case, ranks=1, solver=SOLVER):

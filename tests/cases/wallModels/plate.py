@@ -3,13 +3,10 @@
 fall on the plate and fly off. Writes the case, reads the parcels."""
 
 import csv
-import glob
-import os
 import re
 
-import numpy as np
-
 from caseTools import box, must, run, write_block, write_field, write_foam
+import foamFiles
 
 SOLVER = "icoUncoupledKinematicParcelFoam"
 CLOUD = "kinematicCloud"
@@ -109,45 +106,9 @@ def solve(case, ranks=1, solver=SOLVER):
     return must(case, *command, log=solver)
 
 
-def _read(path):
-    with open(path, "rb") as file:
-        data = file.read()
-    head = data.index(b"}") + 1
-    binary = re.search(rb"format\s+binary", data[:head]) is not None
-    kind = re.search(rb"class\s+(\w+)", data[:head]).group(1)
-    body = re.sub(rb"//[^\n]*\n", b"", data[head:], count=1)
-    width = 3 if kind.startswith(b"vector") else 1
-    number = "<i4" if kind.startswith(b"label") else "<f8"
-    uniform = re.match(rb"\s*(\d+)\s*\{([^}]*)\}", body)
-    if uniform:
-        value = uniform.group(2).replace(b"(", b" ").replace(b")", b" ")
-        return np.tile(np.array(value.split(), float),
-                       (int(uniform.group(1)), 1)).squeeze(-1 if width == 1
-                                                           else None)
-    count = re.match(rb"\s*(\d+)\s*\(", body)
-    if not count:
-        return np.zeros((0, 3) if width == 3 else 0)
-    n = int(count.group(1))
-    if binary:
-        values = np.frombuffer(body, number, n*width, count.end())
-    else:
-        text = body[count.end():].replace(b"(", b" ").replace(b")", b" ")
-        values = np.array(text.split()[:n*width], float)
-    return values.reshape(n, 3) if width == 3 else values
-
-
 def parcels(case, time, *fields):
     """Fields of the parcels, ordered by identity, over all ranks."""
-    parts = sorted(glob.glob(f"{case}/processor*")) or [case]
-    rows = []
-    for part in parts:
-        folder = f"{part}/{time}/lagrangian/{CLOUD}"
-        if os.path.exists(f"{folder}/origId"):
-            rows.append([_read(f"{folder}/{name}")
-                         for name in ("origId", *fields)])
-    columns = [np.concatenate(c) for c in zip(*rows)]
-    order = np.argsort(columns[0], kind="stable")
-    return [c[order] for c in columns]
+    return foamFiles.parcels(case, time, CLOUD, *fields)
 
 
 def counters(text, patch="yMin"):

@@ -7,7 +7,7 @@ import sys
 
 import numpy as np
 
-from caseTools import binary_list, last_fields, solve, times_of, verdict
+from caseTools import last_fields, read_field, solve, times_of, verdict
 from dust import CP, CP_P, dust_energy, read_dust, relaxation, sealed
 
 loading, d, steps, dt = (float(word) for word in sys.argv[1:])
@@ -21,7 +21,7 @@ volume = 4e-9
 R = np.mean(p/(rho*T))
 _, v, Tp = read_dust("box", last)
 folder = os.path.join("box", last, "lagrangian", "sand")
-number, density = (binary_list(os.path.join(folder, name), 1)[:, 0]
+number, density = (read_field(os.path.join(folder, name))
                    for name in ("nParticle", "rho"))
 mass = np.sum(number*density)*np.pi/6*d**3
 gas = volume*np.mean(rho)

@@ -6,22 +6,12 @@ import os
 import re
 
 import numpy as np
+from foamFiles import positions, read
 
 LENGTH, DIAPHRAGM = 0.2578, 0.129
 FRACTION, RHO_P = 5.172e-4, 2500.
 ATM, RHO0, R, CV = 101298., 1.30633, 287.2, 718.
 SOUND = np.sqrt(1.4*R*270)
-
-
-def read(path, width=1):
-    """Numbers of an ASCII list, one row per entry."""
-    with open(path) as file:
-        text = file.read()
-    head = re.search(r"\n(\d+)\s*\(", text[text.index("// * *"):])
-    at = text.index("// * *") + head.end()
-    rows = text[at:].replace("(", " ").replace(")", " ").split()
-    n = int(head.group(1))
-    return np.array(rows[:n*width], float).reshape(n, width).squeeze()
 
 
 def parcel_mass(case):
@@ -40,16 +30,14 @@ class Profile:
         folder = f"{case}/{time}"
         self.p, self.rho, self.T = (read(f"{folder}/{name}")
                                     for name in ("p", "rho", "T"))
-        self.u = read(f"{folder}/U", 3)[:, 0]
+        self.u = read(f"{folder}/U")[:, 0]
         n = len(self.p)
         self.x = (np.arange(n) + 0.5)*LENGTH/n
         cloud = f"{folder}/lagrangian/sand"
-        with open(f"{cloud}/positions") as file:
-            places = re.findall(r"\n\((\S+) \S+ \S+\) \d+", file.read())
-        xs = np.array(places, float)
+        xs = positions(cloud)[0][:, 0]
         order = np.argsort(xs)
         self.xs = xs[order]
-        self.us = read(f"{cloud}/U", 3)[order, 0]
+        self.us = read(f"{cloud}/U")[order, 0]
         self.Ts = read(f"{cloud}/T")[order]
         # Over 5 cells each
         number, edges = np.histogram(self.xs, n//5, (0, LENGTH))

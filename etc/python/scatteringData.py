@@ -1,10 +1,10 @@
 # parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Reading of the results of scatteringIndicatrix."""
-import csv
 import functools
 import re
 
 import numpy as np
+from csvTables import summary
 
 
 class Result:
@@ -15,9 +15,7 @@ class Result:
         self.folder = folder
         self.alpha, self.F, self.error = np.loadtxt(
             folder + '/F.csv', delimiter=',', skiprows=1).T
-        with open(folder + '/summary.csv') as f:
-            self.summary = {r['quantity']: float(r['value'])
-                            for r in csv.DictReader(f)}
+        self.summary = summary(folder)
 
     def __getitem__(self, name):
         return self.summary[name]
