@@ -16,7 +16,7 @@ void Foam::BlockMotion<CloudType, Force>::take(const int i, parcelType& p)
     f.parcel = &p;
     impact::vector3 x;
     p.locate(cells_, x, cell_[i]);
-    impact::motionBlock::set(block_.now.x, i, x);
+    impact::motionLanes::set(block_.now.x, i, x);
     enter(i);
     f.place = -1;
     f.begin = 0;
@@ -26,8 +26,8 @@ void Foam::BlockMotion<CloudType, Force>::take(const int i, parcelType& p)
 
     block_.sphere(i, p.d(), p.rho());
     block_.hTry[i] = GREAT;
-    impact::motionBlock::set(block_.now.v, i, toCore(p.U()));
-    impact::motionBlock::set(block_.now.omega, i, toCore(p.omega()));
+    impact::motionLanes::set(block_.now.v, i, toCore(p.U()));
+    impact::motionLanes::set(block_.now.omega, i, toCore(p.omega()));
     if constexpr (heated)
     {
         block_.now.enthalpy[i] = force_.heat().material().h(p.temperature());
@@ -40,9 +40,9 @@ void Foam::BlockMotion<CloudType, Force>::release(const int i)
 {
     const flyer& f = flyers_[i];
     parcelType& p = *f.parcel;
-    p.U() = fromCore(impact::motionBlock::of(block_.now.v, i));
-    p.omega() = fromCore(impact::motionBlock::of(block_.now.omega, i));
-    p.setFlight({impact::motionBlock::of(block_.now.x, i), cell_[i]});
+    p.U() = fromCore(impact::motionLanes::of(block_.now.v, i));
+    p.omega() = fromCore(impact::motionLanes::of(block_.now.omega, i));
+    p.setFlight({impact::motionLanes::of(block_.now.x, i), cell_[i]});
     if (f.begin < 1)
     {
         cloud_.leaveBegun(p, {f.begin, block_.hTry[i], f.nForces});
@@ -70,7 +70,7 @@ Foam::BlockMotion<CloudType, Force>::alone(const int i)
 {
     const flyer& f = flyers_[i];
     force_.parcel(*f.parcel, td_);
-    force_.place(*block_.now.gas[i], impact::motionBlock::of(block_.now.x, i));
+    force_.place(*block_.now.gas[i], impact::motionLanes::of(block_.now.x, i));
     return motion_.step
     (
         force_,
@@ -94,8 +94,8 @@ void Foam::BlockMotion<CloudType, Force>::exchange
 )
 {
     parcelType& p = *flyers_[i].parcel;
-    p.U() = fromCore(impact::motionBlock::of(block_.now.v, i));
-    p.omega() = fromCore(impact::motionBlock::of(block_.now.omega, i));
+    p.U() = fromCore(impact::motionLanes::of(block_.now.v, i));
+    p.omega() = fromCore(impact::motionLanes::of(block_.now.omega, i));
     p.cell() = cells_.meshCell(cell_[i]);
     scalar heat = 0;
     if constexpr (heated)
@@ -126,7 +126,7 @@ void Foam::BlockMotion<CloudType, Force>::follow(const int i)
     const outcome o =
         accepted ? block_.template outcome<State>(i) : alone(i);
     const State state(begin(i));
-    impact::vector3 x(impact::motionBlock::of(block_.now.x, i));
+    impact::vector3 x(impact::motionLanes::of(block_.now.x, i));
     State end = o.state;
     label place = -1;
     scalar tau = 1;
@@ -170,7 +170,7 @@ void Foam::BlockMotion<CloudType, Force>::follow(const int i)
     {
         stepToFace::ontoFace(cells_, place, moving_, state, o, x, end, t);
     }
-    impact::motionBlock::set(block_.now.x, i, x);
+    impact::motionLanes::set(block_.now.x, i, x);
     auto& statistics = cloud_.statistics();
     ++statistics.nSteps;
     statistics.nForces += o.nForce;
@@ -179,8 +179,8 @@ void Foam::BlockMotion<CloudType, Force>::follow(const int i)
 
     vector U = fromCore(end.v);
     meshTools::constrainDirection(cells_.mesh(), cells_.mesh().solutionD(), U);
-    impact::motionBlock::set(block_.now.v, i, toCore(U));
-    impact::motionBlock::set(block_.now.omega, i, end.omega);
+    impact::motionLanes::set(block_.now.v, i, toCore(U));
+    impact::motionLanes::set(block_.now.omega, i, end.omega);
     if constexpr (heated)
     {
         block_.now.enthalpy[i] = end.h;
@@ -218,7 +218,7 @@ void Foam::BlockMotion<CloudType, Force>::follow(const int i)
 template<class CloudType, class Force>
 void Foam::BlockMotion<CloudType, Force>::advance(const int n)
 {
-    impact::motionBlock::row left, way[3], exit, points[9];
+    impact::motionLanes::row left, way[3], exit, points[9];
     block_.begin(n);
     for (int i = 0; i < n; ++i)
     {
@@ -239,8 +239,8 @@ void Foam::BlockMotion<CloudType, Force>::advance(const int n)
         block_.hMax[i] = stepToFace::longest
         (
             left[i], exit[i], block_.now.gas[i]->length,
-            impact::mag(impact::motionBlock::of(block_.now.v, i)),
-            impact::mag(impact::motionBlock::of(block_.here.u, i))
+            impact::mag(impact::motionLanes::of(block_.now.v, i)),
+            impact::mag(impact::motionLanes::of(block_.here.u, i))
         );
     }
     block_.end(n);

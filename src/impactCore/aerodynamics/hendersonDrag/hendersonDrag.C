@@ -4,7 +4,7 @@
 
 #include "hendersonDrag.H"
 #include "compressibleRange.H"
-#include "hendersonKernels.H"
+#include "hendersonFormulas.H"
 
 #include <algorithm>
 #include <cmath>
@@ -31,19 +31,19 @@ double impact::hendersonDrag::of(double Re, double K, double ratio) const
     const double s = sqrtHalfGamma_;
     if (M <= 1)
     {
-        return hendersonKernels::subsonic(Re, K, M, TpOverT, s);
+        return hendersonFormulas::subsonic(Re, K, M, TpOverT, s);
     }
 
     if (M >= 1.75)
     {
-        return hendersonKernels::supersonic(Re, K, M, TpOverT, s);
+        return hendersonFormulas::supersonic(Re, K, M, TpOverT, s);
     }
 
     // The ends of the interpolation have this Re, hence another K
     const double w = (M - 1)/0.75;
     return
-        (1 - w)*hendersonKernels::subsonic(Re, 1/Re, 1, TpOverT, s)
-      + w*hendersonKernels::supersonic(Re, 1.75/Re, 1.75, TpOverT, s);
+        (1 - w)*hendersonFormulas::subsonic(Re, 1/Re, 1, TpOverT, s)
+      + w*hendersonFormulas::supersonic(Re, 1.75/Re, 1.75, TpOverT, s);
 }
 
 
@@ -79,7 +79,7 @@ void impact::hendersonDrag::CdRe
                 compressibleRange::highestTpOverT
             );
         }
-        hendersonKernels::CdRe
+        hendersonFormulas::CdRe
         (
             m, Re + from, K + from, M, ratio, sqrtHalfGamma_, result + from
         );

@@ -2,10 +2,10 @@
     parcelImpact. License: GPL-3.0-or-later, see COPYING.
 \*---------------------------------------------------------------------------*/
 
-#include "hendersonKernels.H"
+#include "hendersonFormulas.H"
 #include "vectorTargets.H"
 
-impactKernel void impact::hendersonKernels::CdRe
+impactKernel void impact::hendersonFormulas::CdRe
 (
     const int n,
     const double* __restrict__ Re,

@@ -277,7 +277,7 @@ bool impact::frictionImpact::turns(double from, double& h, state& next) const
     }
 
     // Work does not change there: no need to be close
- h = zero(begin, end, margin_, velocity, next);
+    h = zero(begin, end, margin_, velocity, next);
     return true;
 }
 
@@ -291,7 +291,7 @@ bool impact::frictionImpact::follow(const slipRates& now)
         double h = end;
         state next;
         const bool turned = turns(from, h, next);
-            if (restituting_)
+        if (restituting_)
         {
             // The root of the share of the work that is given back rises
             // almost evenly from the end of compression on

@@ -8,7 +8,7 @@ Description
 
 #include "heatLaw.H"
 #include "hendersonDrag.H"
-#include "motionBlock.H"
+#include "motionLanes.H"
 
 #include <gtest/gtest.h>
 #include <cmath>
@@ -109,13 +109,13 @@ void compare
     std::mt19937 random(7 + n);
     std::uniform_real_distribution<double> uniform(-1, 1);
     const particleMotion motion(tolerance);
-    const auto block = std::make_unique<motionBlock>
+    const auto block = std::make_unique<motionLanes>
     (
         forces, particleMotion::thermal<State> ? &heat : nullptr, tolerance,
         solved, rotation
     );
-    linearGas fields[motionBlock::size];
-    double d[motionBlock::size];
+    linearGas fields[motionLanes::size];
+    double d[motionLanes::size];
     for (int repeat = 0; repeat < 200; ++repeat)
     {
         for (int i = 0; i < n; ++i)
@@ -124,17 +124,17 @@ void compare
             d[i] = std::pow(10., -6 + uniform(random));
             block->now.gas[i] = &fields[i];
             block->sphere(i, d[i], 2500);
-            motionBlock::set
+            motionLanes::set
             (
                 block->now.x, i,
                 fields[i].centre + 5e-4*vector3{uniform(random), 0, 1}
             );
-            motionBlock::set
+            motionLanes::set
             (
                 block->now.v, i,
                 vector3{1800 + 800*uniform(random), 100*uniform(random), 0}
             );
-            motionBlock::set
+            motionLanes::set
             (
                 block->now.omega, i, vector3{0, 0, 1e6*uniform(random)}
             );
@@ -156,15 +156,15 @@ void compare
         {
             oneForce force
             {
-                forces, heat, fields[i], motionBlock::of(block->now.x, i),
+                forces, heat, fields[i], motionLanes::of(block->now.x, i),
                 solved, rotation
             };
             force.forces.sphere(d[i], 2500);
             force.heat.sphere(d[i], 2500);
             State s;
             s.x = vector3{0, 0, 0};
-            s.v = motionBlock::of(block->now.v, i);
-            s.omega = motionBlock::of(block->now.omega, i);
+            s.v = motionLanes::of(block->now.v, i);
+            s.omega = motionLanes::of(block->now.omega, i);
             if constexpr (particleMotion::thermal<State>)
             {
                 s.h = block->now.enthalpy[i];
@@ -236,7 +236,7 @@ struct someHeat
 } // End anonymous namespace
 
 
-TEST(motionBlock, takesTheStepsOfOneSphere)
+TEST(motionLanes, takesTheStepsOfOneSphere)
 {
     const someHeat heat;
     sphereForces::counts counts;
@@ -251,7 +251,7 @@ TEST(motionBlock, takesTheStepsOfOneSphere)
                 &drag, gammaR, spin, spin, vector3{0, 9.81, 0}, counts
             );
             int nWith[4] = {0, 0, 0, 0};
-            for (const int n : {1, 7, motionBlock::size})
+            for (const int n : {1, 7, motionLanes::size})
             {
                 compare<motionState>
                 (
@@ -269,7 +269,7 @@ TEST(motionBlock, takesTheStepsOfOneSphere)
 }
 
 
-TEST(motionBlock, heatsAsOneSphere)
+TEST(motionLanes, heatsAsOneSphere)
 {
     const someHeat heat;
     const hendersonDrag drag(1.4, 1);
@@ -284,7 +284,7 @@ TEST(motionBlock, heatsAsOneSphere)
         int nWith[4] = {0, 0, 0, 0};
         compare<thermalState>
         (
-            forces, heat(), tolerance, all, all, motionBlock::size, nWith
+            forces, heat(), tolerance, all, all, motionLanes::size, nWith
         );
         for (const int count : nWith)
         {
@@ -294,7 +294,7 @@ TEST(motionBlock, heatsAsOneSphere)
 }
 
 
-TEST(motionBlock, leavesOutWhatIsNotThere)
+TEST(motionLanes, leavesOutWhatIsNotThere)
 {
     // No drag, no spin, a plane
     const someHeat heat;
@@ -307,7 +307,7 @@ TEST(motionBlock, leavesOutWhatIsNotThere)
     compare<motionState>
     (
         forces, heat(), 1e-5, vector3{1, 1, 0}, vector3{0, 0, 1},
-        motionBlock::size, nWith
+        motionLanes::size, nWith
     );
     EXPECT_GE(nWith[0], 1000);
     EXPECT_EQ(counts.magnus, 0);
@@ -315,7 +315,7 @@ TEST(motionBlock, leavesOutWhatIsNotThere)
 }
 
 
-TEST(motionBlock, countsEvaluationsOutsideTheFits)
+TEST(motionLanes, countsEvaluationsOutsideTheFits)
 {
     sphereForces::counts counts;
     const hendersonDrag drag(1.4, 1);
@@ -323,7 +323,7 @@ TEST(motionBlock, countsEvaluationsOutsideTheFits)
     (
         &drag, gammaR, true, true, vector3{0, 0, 0}, counts
     );
-    const auto block = std::make_unique<motionBlock>
+    const auto block = std::make_unique<motionLanes>
     (
         forces, nullptr, 0.1, vector3{1, 1, 1}, vector3{1, 1, 1}
     );
@@ -333,9 +333,9 @@ TEST(motionBlock, countsEvaluationsOutsideTheFits)
     {
         block->now.gas[i] = &gas;
         block->sphere(i, i ? 1e-4 : 1e-6, 2500);
-        motionBlock::set(block->now.x, i, gas.centre);
-        motionBlock::set(block->now.v, i, vector3{0, 0, 0});
-        motionBlock::set(block->now.omega, i, vector3{0, 0, 0});
+        motionLanes::set(block->now.x, i, gas.centre);
+        motionLanes::set(block->now.v, i, vector3{0, 0, 0});
+        motionLanes::set(block->now.omega, i, vector3{0, 0, 0});
         block->hTry[i] = block->hMax[i] = 1e-9;
     }
     block->begin(3);

@@ -2,7 +2,7 @@
     parcelImpact. License: GPL-3.0-or-later, see COPYING.
 \*---------------------------------------------------------------------------*/
 
-#include "motionBlock.H"
+#include "motionLanes.H"
 #include "motionKernels.H"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void impact::motionBlock::rates
+void impact::motionLanes::rates
 (
     int n,
     const spheres& s,
@@ -84,7 +84,7 @@ void impact::motionBlock::rates
 }
 
 
-void impact::motionBlock::spheres::take(const spheres& from, int j, int i)
+void impact::motionLanes::spheres::take(const spheres& from, int j, int i)
 {
     gas[i] = from.gas[j];
     set(x, i, of(from.x, j));
@@ -100,7 +100,7 @@ void impact::motionBlock::spheres::take(const spheres& from, int j, int i)
 }
 
 
-void impact::motionBlock::longer::keep(int j, int i)
+void impact::motionLanes::longer::keep(int j, int i)
 {
     if (i == j)
     {
@@ -125,7 +125,7 @@ void impact::motionBlock::longer::keep(int j, int i)
 }
 
 
-void impact::motionBlock::stages(int from, int to)
+void impact::motionLanes::stages(int from, int to)
 {
     longer& l = longer_;
     gasRows gasThere;
@@ -155,7 +155,7 @@ void impact::motionBlock::stages(int from, int to)
 }
 
 
-void impact::motionBlock::accept(double limit, double nEvaluations, double root)
+void impact::motionLanes::accept(double limit, double nEvaluations, double root)
 {
     longer& l = longer_;
     int kept = 0;
@@ -182,7 +182,7 @@ void impact::motionBlock::accept(double limit, double nEvaluations, double root)
 }
 
 
-void impact::motionBlock::goOn(int n)
+void impact::motionLanes::goOn(int n)
 {
     longer& l = longer_;
     l.n = 0;
@@ -259,7 +259,7 @@ void impact::motionBlock::goOn(int n)
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-impact::motionBlock::motionBlock
+impact::motionLanes::motionLanes
 (
     const sphereForces& forces,
     const sphereHeat* heat,
@@ -278,7 +278,7 @@ impact::motionBlock::motionBlock
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void impact::motionBlock::sphere(int i, double diameter, double rhoP)
+void impact::motionLanes::sphere(int i, double diameter, double rhoP)
 {
     now.d[i] = diameter;
     now.inverseRhoP[i] = 1/rhoP;
@@ -290,21 +290,21 @@ void impact::motionBlock::sphere(int i, double diameter, double rhoP)
 }
 
 
-void impact::motionBlock::move(int j, int i)
+void impact::motionLanes::move(int j, int i)
 {
     now.take(now, j, i);
     hTry[i] = hTry[j];
 }
 
 
-void impact::motionBlock::begin(int n)
+void impact::motionLanes::begin(int n)
 {
     motionKernels::gas(n, now.gas, now.x, here);
     rates(n, now, here, now.v, now.omega, now.enthalpy, f);
 }
 
 
-void impact::motionBlock::end(int n)
+void impact::motionLanes::end(int n)
 {
     row place[3];
     motionKernels::stretch
