@@ -506,12 +506,17 @@ def check_sliding():
 
 # ------------------------------------------------------------------ bad input
 
+def tabulated(table):
+    """Entries of a wall that draws from a table."""
+    return (f'{NON_SPHERICAL} method tabulated; table "{table}";'
+            " incidenceRange (15 21);")
+
+
 def check_bad_input():
     good_sphere = "yMin { restitution 0.7; friction 0.2; }"
     lid = LID
     table = os.path.abspath("table.csv")
-    tab = (f'{NON_SPHERICAL} method tabulated; table "{table}";'
-           " incidenceRange (15 21);")
+    tab = tabulated(table)
     H, S, N = ("hardSphereWall", "semiEmpiricalRebound",
                "nonSphericalRebound")
 
@@ -622,19 +627,23 @@ def check_bad_input():
     ]
     check_refusals(rows)
 
-    # A parcel of another size is met during the run only
+
+def check_while_running():
+    """What the first impact shows: a parcel of another size than the table's,
+    a mesh that is too coarse for the relief."""
+    N = "nonSphericalRebound"
     case = new("bad")
-    write_plate(case, N, ns(tab), [beam(18, 2, 1.1*BOX_D)])
+    entries = tabulated(os.path.abspath("table.csv"))
+    write_plate(case, N, patches(f"yMin {{ {entries} }}", LID),
+                [beam(18, 2, 1.1*BOX_D)])
     mesh(case)
     status, text = run(case, SOLVER)
     verdict("refuses_parcelSize", status and "diameterTolerance" in text,
             complaint(text))
 
-
-def check_coarse_relief():
     case = new("coarse")
     at = (0.4, 0.005, 5e-5)
-    write_plate(case, "nonSphericalRebound",
+    write_plate(case, N,
                 patches(f"yMin {{ {NON_SPHERICAL} }}", LID),
                 [injector(at, at, 1, direction(18), BOX_D)],
                 cells=(10000, 1, 1), lengths=(1, 0.1, 1e-4))
@@ -676,7 +685,7 @@ def main():
     check_plane()
     check_sliding()
     check_bad_input()
-    check_coarse_relief()
+    check_while_running()
 
 
 if __name__ == "__main__":
