@@ -6,7 +6,8 @@
 #include "checked.H"
 #include "maxwellian.H"
 #include "processorTime.H"
-#include "randomPurpose.H"
+#include "drawPurpose.H"
+#include "maxwellWall.H"
 
 namespace Foam
 {
@@ -36,7 +37,7 @@ public:
             gas.instantaneous_.valid() ? &gas.instantaneous_() : nullptr,
             sampling ? &gas.means_() : nullptr
         },
-        stream_(gas.stream(forWalls)),
+        stream_(gas.stream(impact::drawPurpose::walls)),
         step_(gas.mesh_.time().timeIndex()),
         hits(0),
         left(0)
@@ -84,24 +85,21 @@ bool Foam::dsmcGas::boundaries::hitWall
         stream_ + std::uint64_t(i),
         step_ ^ (std::uint32_t(nHits) << 24)
     );
-    const double fraction = gas_.diffuseFraction_[face.patch];
-    if (fraction > 0 && rnd.uniform() < fraction)
+    if (maxwellWall::isDiffuse(gas_.diffuseFraction_[face.patch], rnd))
     {
         const scalar T =
             gas_.boundaryT_->boundaryField()[face.patch][face.patchFace];
         const vector& U =
             gas_.boundaryU_->boundaryField()[face.patch][face.patchFace];
-        const double c = maxwellian::mostProbableSpeed(T, kind.mass);
-        after = maxwellian::crossingVelocity
+        after = maxwellWall::diffuse
         (
-            -n, {U.x(), U.y(), U.z()}, c, 0, rnd
+            n, {U.x(), U.y(), U.z()}, T, kind.mass,
+            kind.internalDegreesOfFreedom, Ei, rnd
         );
-        Ei = maxwellian::boltzmann*T
-            *maxwellian::internalEnergy(kind.internalDegreesOfFreedom, rnd);
     }
     else
     {
-        after = before - 2*dot(before, n)*n;
+        after = maxwellWall::specular(n, before);
     }
     molecules.setVelocity(i, after);
 
@@ -263,7 +261,7 @@ void Foam::dsmcGas::move()
         molecules_,
         deltaT,
         seed_,
-        stream(forInflow),
+        stream(impact::drawPurpose::inflow),
         mesh_.time().timeIndex()
     );
     recent_.moleculeSteps += molecules_.size();
@@ -288,7 +286,7 @@ void Foam::dsmcGas::collide()
 
     const processorTime timer(collideTime_);
     const scalar deltaT = mesh_.time().deltaTValue();
-    const std::uint64_t key = stream(forCollisions);
+    const std::uint64_t key = stream(impact::drawPurpose::collisions);
     const std::uint32_t step = mesh_.time().timeIndex();
     const scalarField& V = mesh_.V();
     scalarField& sigmaCMax = sigmaTcRMax_.primitiveFieldRef();

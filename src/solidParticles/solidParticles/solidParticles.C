@@ -7,7 +7,7 @@
 #include "coreVector.H"
 #include "presentFile.H"
 #include "processorTime.H"
-#include "randomPurpose.H"
+#include "drawPurpose.H"
 
 namespace Foam
 {
@@ -225,7 +225,7 @@ void Foam::solidParticles::exchangeInBusyCells()
 {
     const processorTime timer(exchangeTime_);
     const scalar deltaT = mesh_.time().deltaTValue();
-    const std::uint64_t key = stream(forExchange);
+    const std::uint64_t key = stream(impact::drawPurpose::exchange);
     const std::uint32_t step = mesh_.time().timeIndex();
     const scalarField& V = mesh_.V();
     const bool samples =
@@ -402,7 +402,7 @@ void Foam::solidParticles::move()
     const label before = particles_.size();
     inflow_->enter
     (
-        particles_, deltaT, seed_, stream(forEntering),
+        particles_, deltaT, seed_, stream(impact::drawPurpose::entering),
         mesh_.time().timeIndex()
     );
     const solidData& data = particles_.payload();
