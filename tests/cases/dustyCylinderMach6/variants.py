@@ -29,9 +29,9 @@ def wall_pressure(case):
 
 
 def error(phi, p):
-    """L2 deviation from the reference. The tutorial's own check has a polynomial
-    through the reference's points; this one takes the points themselves and
-    puts a parabola through the three nearest faces."""
+    """L2 deviation from the reference. The tutorial's own check has a
+    polynomial through the reference's points; this one takes the points
+    themselves and puts a parabola through the three nearest faces."""
     phi, p = np.append(-phi[::-1], phi), np.append(p[::-1], p)
     deviation = []
     for angle, value in reference[:, :2]:
