@@ -211,7 +211,12 @@ bool Foam::steadySolution::solve(const bool near)
 
     // Differences of 0.1 % between cells pass the limiter
     equations_.smoothLimiter(1e-3);
-    equations_.flattenShocks(true);
+
+    // Flat shocks would be felt where they meet a layer of friction: it would
+    // come off a plate before a ramp far too late. There they help on the way
+    // alone.
+    const bool flat = !equations_.sticks();
+    equations_.flattenShocks(flat);
 
     if (settings_.implicit)
     {
@@ -229,6 +234,7 @@ bool Foam::steadySolution::solve(const bool near)
          && (imbalance_.value() > 0.05 || equations_.subsonicOutlet())
         )
         {
+            equations_.flattenShocks(true);
             if (!near)
             {
                 equations_.roughen(true);
@@ -240,21 +246,14 @@ bool Foam::steadySolution::solve(const bool near)
             {
                 approach(implicit, Co);
             }
+            equations_.flattenShocks(flat);
+            equations_.computeRate();
         }
         while (!finished())
         {
             if (!newton)
             {
                 newton.reset(new NewtonKrylov(equations_));
-
-                // Flat shocks would be felt where they meet a layer of
-                // friction: it would come off a plate before a ramp far too
-                // late
-                if (equations_.sticks())
-                {
-                    equations_.flattenShocks(false);
-                    equations_.computeRate();
-                }
             }
             if (!converge(*newton))
             {
