@@ -56,50 +56,74 @@ Foam::SpinningParcel<ParcelType>::SpinningParcel
 
 
 template<class ParcelType>
+template<class Visitor>
+void Foam::SpinningParcel<ParcelType>::visitFields(Visitor&& visit)
+{
+    #define visitField(name)                                                   \
+        visit(#name, [](auto& p) -> decltype(auto) { return p.name(); })
+    visitField(typeId);
+    visitField(nParticle);
+    visitField(d);
+    visitField(dTarget);
+    visitField(U);
+    visitField(rho);
+    visitField(age);
+    visitField(tTurb);
+    visitField(UTurb);
+    visitField(omega);
+    visitField(nImpacts);
+    #undef visitField
+}
+
+
+template<class ParcelType>
 template<class CloudType>
 void Foam::SpinningParcel<ParcelType>::readFields(CloudType& c)
 {
+    typedef SpinningParcel<ParcelType> parcel;
     const bool valid = c.size();
+    particle::readFields(c);
 
-    ParcelType::readFields(c);
-
-    IOField<vector> omega
-    (
-        c.fieldIOobject("omega", IOobject::MUST_READ),
-        valid
-    );
-    c.checkFieldIOobject(c, omega);
-
-    IOField<label> nImpacts
-    (
-        c.fieldIOobject("nImpacts", IOobject::MUST_READ),
-        valid
-    );
-    c.checkFieldIOobject(c, nImpacts);
-
-    label i = 0;
-    for (SpinningParcel<ParcelType>& p : c)
+    const auto read =
+        [&](IOobject&& header, const auto& empty, const auto& set)
     {
-        p.omega_ = omega[i];
-        p.nImpacts_ = nImpacts[i];
-        i++;
-    }
-
-    // Written by clouds with heat transfer
-    IOField<scalar> T
-    (
-        c.fieldIOobject("T", IOobject::READ_IF_PRESENT),
-        valid
-    );
-    if (T.size())
-    {
-        c.checkFieldIOobject(c, T);
-        i = 0;
-        for (SpinningParcel<ParcelType>& p : c)
+        IOField<std::decay_t<decltype(empty)>> field(header, valid);
+        if (header.readOpt() == IOobject::MUST_READ || field.size())
         {
-            p.T_ = T[i++];
+            c.checkFieldIOobject(c, field);
+            label i = 0;
+            for (parcel& p : c)
+            {
+                set(p, field[i++]);
+            }
         }
-    }
+    };
+    read
+    (
+        c.fieldIOobject("active", IOobject::MUST_READ), label(),
+        [](parcel& p, const label value) { p.active(value); }
+    );
+    const auto take = [&](const word& name, const auto& value, const auto opt)
+    {
+        typedef std::decay_t<decltype(value(std::declval<parcel&>()))> Type;
+        read
+        (
+            c.fieldIOobject(name, opt), Type(),
+            [&](parcel& p, const Type& x) { value(p) = x; }
+        );
+    };
+    visitFields([&](const word& name, const auto& value)
+    {
+        take(name, value, IOobject::MUST_READ);
+    });
+
+    // Written by later releases, and by clouds with heat transfer
+    const auto optional = [&](const word& name, const auto& value)
+    {
+        take(name, value, IOobject::READ_IF_PRESENT);
+    };
+    foamCompat::visitLaterFields(optional);
+    optional("T", [](auto& p) -> decltype(auto) { return p.temperature(); });
 }
 
 
@@ -107,11 +131,11 @@ template<class ParcelType>
 template<class CloudType>
 void Foam::SpinningParcel<ParcelType>::writeFields(const CloudType& c)
 {
-    // Write the fields of the kinematic parcel one by one, too: its own
-    // function has all of them in memory at the same time
+    // One by one: the function of the kinematic parcel has all of its fields
+    // in memory at the same time
     particle::writeFields(c);
     typedef SpinningParcel<ParcelType> parcel;
-    const auto write = [&](const auto& name, const auto& value)
+    const auto write = [&](const word& name, const auto& value)
     {
         typedef std::decay_t<decltype(value(std::declval<const parcel&>()))>
             Type;
@@ -127,17 +151,8 @@ void Foam::SpinningParcel<ParcelType>::writeFields(const CloudType& c)
         field.write(c.size() > 0);
     };
     write("active", [](const parcel& p) { return label(p.active()); });
-    write("typeId", [](const parcel& p) { return p.typeId(); });
-    write("nParticle", [](const parcel& p) { return p.nParticle(); });
-    write("d", [](const parcel& p) { return p.d(); });
-    write("dTarget", [](const parcel& p) { return p.dTarget(); });
-    write("U", [](const parcel& p) { return p.U(); });
-    write("rho", [](const parcel& p) { return p.rho(); });
-    write("age", [](const parcel& p) { return p.age(); });
-    write("tTurb", [](const parcel& p) { return p.tTurb(); });
-    write("UTurb", [](const parcel& p) { return p.UTurb(); });
-    write("omega", [](const parcel& p) { return p.omega(); });
-    write("nImpacts", [](const parcel& p) { return p.nImpacts(); });
+    visitFields(write);
+    foamCompat::visitLaterFields(write);
     if (hasTemperatures(c))
     {
         write("T", [](const parcel& p) { return p.temperature(); });
