@@ -139,7 +139,9 @@ bool Foam::steadySolution::converge(NewtonKrylov& newton)
     label nUnsolved = 0;
     scalar best = GREAT;
     label bestIteration = iterations_;
-    scalar Co = 10;
+    const scalar first = 10;
+    scalar Co = first;
+    label nAlike = 0;
 
     equations_.calm();
     while (iterations_ - bestIteration < patience && Co > 0.01)
@@ -195,10 +197,19 @@ bool Foam::steadySolution::converge(NewtonKrylov& newton)
           : ratio < 0.67 ? 0.7
           : max(scalar(1), min(scalar(1.1), small/Co));
 
+        // Long steps may lead to and fro between states that are all as far
+        // from the steady one: a few short ones lead out of that
+        nAlike = newton.norm() < 2*best ? nAlike + 1 : 0;
         if (newton.norm() < 0.7*best)
         {
             best = newton.norm();
             bestIteration = iterations_;
+            nAlike = 0;
+        }
+        else if (nAlike == 10)
+        {
+            Co = first;
+            nAlike = 0;
         }
     }
     return true;
