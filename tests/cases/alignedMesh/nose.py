@@ -1,0 +1,101 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
+"""The whole nose of a sphere in three dimensions, no plane of symmetry to lean
+on, on cells in line with the shock, which a carbuncle likes best, and shaken so
+that it may begin."""
+
+import os
+import re
+import shutil
+
+import numpy as np
+from bluntBody import P, RADIUS, SOUND, T, pitot
+from caseTools import (box, complaint, must, read_field, run, times_of,
+                       verdict, write_block, write_case, write_field)
+
+# Radially, and across: the front side of a cube on the sphere
+LAYERS, ACROSS, OUTER = 30, 16, 1.6
+
+
+def points_of(case):
+    """Of a mesh in ASCII: what stands before, and the points."""
+    with open(f"{case}/constant/polyMesh/points") as file:
+        head, body = file.read().split("\n(\n")
+    return head, np.array([row.split() for row in
+                           re.findall(r"^\(([^()]*)\)$", body, re.M)], float)
+
+
+def set_points(case, head, points):
+    with open(f"{case}/constant/polyMesh/points", "w") as file:
+        file.write(head + "\n(\n" + "\n".join(
+            "({!r} {!r} {!r})".format(*map(float, x)) for x in points)
+            + "\n)\n")
+
+
+def prepare(case, flux, M):
+    write_case(case, {"endTime": 1, "deltaT": 1, "writeInterval": 1,
+                      "writeFormat": "ascii"},
+               {"mode": "steady"}, flux, "vanAlbada")
+    sides = {"yMin": "patch", "yMax": "patch", "zMin": "patch",
+             "zMax": "patch"}
+    write_block(case, box((1, 1, 1)), (LAYERS, ACROSS, ACROSS),
+                {"xMin": "wall", "xMax": "patch", **sides})
+    must(case, "blockMesh")
+    head, cube = points_of(case)
+    a, b = np.tan(np.radians(90)*(0.5 - cube[:, 1:])).T
+    way = np.stack([-np.ones_like(a), a, -b], axis=1)
+    way /= np.linalg.norm(way, axis=1)[:, None]
+    r = RADIUS*(1 + (OUTER - 1)*cube[:, :1])
+    set_points(case, head, r*way)
+    for name, value in ("p", P), ("T", T), ("U", (M*SOUND, 0, 0)):
+        outlet = {side: "type zeroGradient;" for side in sides}
+        write_field(case, name, value, {
+            "xMin": "type slip;" if name == "U" else "type zeroGradient;",
+            "xMax": "type fixedValue; value $internalField;", **outlet})
+
+
+def shake(case, share):
+    """Move all points by up to a share of the shortest edge at each."""
+    head, points = points_of(case)
+    grid = points.reshape(ACROSS + 1, ACROSS + 1, LAYERS + 1, 3)
+    edge = np.full(grid.shape[:3], np.inf)
+    for axis in range(3):
+        length = np.linalg.norm(np.diff(grid, axis=axis), axis=-1)
+        at = [slice(None)]*3
+        for part in slice(None, -1), slice(1, None):
+            at[axis] = part
+            edge[tuple(at)] = np.minimum(edge[tuple(at)], length)
+    turn = np.random.default_rng(1).uniform(-1, 1, points.shape)
+    set_points(case, head, points + share*edge.reshape(-1, 1)*turn)
+
+
+for flux, M in ("HLLC", 6), ("Kurganov", 6), ("HLLC", 20), ("Kurganov", 20):
+    case = f"nose_{flux}_{M}"
+    prepare(case, flux, M)
+    shutil.copytree(f"{case}/0", f"{case}/undisturbed")
+    must(case, "alignMeshToShock")
+    for time in times_of(case):
+        shutil.rmtree(f"{case}/{time}")
+    os.rename(f"{case}/undisturbed", f"{case}/0")
+    shake(case, 1e-4)
+    status, text = run(case, "rhoCentralParcelFoam")
+    steady = re.search(r"Gas: steady after (\d+)", text)
+    verdict(case, not status and steady is not None,
+            complaint(text) if status or not steady
+            else f"steady after {steady[1]} iterations")
+    if status:
+        continue
+    p = read_field(f"{case}/{times_of(case)[-1]}/p").reshape(
+        ACROSS, ACROSS, LAYERS)
+    p0 = pitot(M)*P
+
+    # The eight images of a square. A cell that the shock crosses takes all
+    # pressures on the way of the shock through it
+    shock = (np.abs(np.gradient(p, axis=2)) > 0.05*p).any(axis=(0, 1))
+    images = [image for q in (p, p.transpose(1, 0, 2))
+              for image in (q, q[::-1], q[:, ::-1], q[::-1, ::-1])]
+    askew = max(np.abs(image - p)[..., ~shock].max() for image in images)/p0
+    nose = p[ACROSS//2 - 1:ACROSS//2 + 1, ACROSS//2 - 1:ACROSS//2 + 1, 0]
+    verdict(case + "_symmetric", askew < 1e-3 and (~shock).sum() > LAYERS/3,
+            f"largest difference between images {askew:.1e} of p0 outside the"
+            f" {shock.sum()} layers of the shock, tolerance 1e-3; pressure at"
+            f" the nose {100*(nose.mean()/p0 - 1):+.2f} % of p0")
