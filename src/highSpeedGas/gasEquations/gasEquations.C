@@ -435,6 +435,40 @@ void Foam::gasEquations::setSources
 }
 
 
+void Foam::gasEquations::reportInletShocks() const
+{
+    for (const gasMesh::patchRange& patch : geometry_.patches())
+    {
+        if (patch.coupled || patch.image())
+        {
+            continue;
+        }
+        scalar all = 0;
+        scalar shocked = 0;
+        for (label f = patch.start; f < patch.start + patch.size; f++)
+        {
+            double a;
+            const double* outside = &primitive[geometry_.far[f]*nVar_];
+            const double* inside = &primitive[geometry_.owner[f]*nVar_];
+            all += geometry_.area[f];
+            if (outwardSpeed(f, outside, a) < -a && inside[0] > 1.5*outside[0])
+            {
+                shocked += geometry_.area[f];
+            }
+        }
+        reduce(all, sumOp<scalar>());
+        reduce(shocked, sumOp<scalar>());
+        if (shocked > 0.01*all)
+        {
+            Info<< "Gas: a shock stands at " << 100*shocked/all
+                << " % of patch " << mesh_.boundary()[patch.patchi].name()
+                << ", through which gas comes in faster than sound. The patch"
+                << " must lie farther out, before the shock" << endl;
+        }
+    }
+}
+
+
 void Foam::gasEquations::reportInvalidCells()
 {
     label celli = -1;
@@ -477,6 +511,8 @@ void Foam::gasEquations::reportInvalidCells()
             }
         }
     }
+
+    reportInletShocks();
 
     // Marked as incomplete: to look at, not to restart from
     publish();

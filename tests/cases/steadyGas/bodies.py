@@ -131,3 +131,12 @@ verdict("progress_is_said", len(progress) > 1 and not wrong
 verdict("unsteady_is_said", status == 0 and said is not None
         and "Gas: steady" not in text and int(said[1]) > 100,
         f"{said[1]} cells, {said[2]}, cell {said[3]}" if said else "not said")
+
+# An outer boundary inside the shock: no steady state, or none that is gas
+for M, outer in (3, 1.6), (2.2, 2):
+    case = f"inside_{M}"
+    prepare(case, "half", (40, 40), outer, M, {"maxIterations": 500})
+    status, text = run(case, "rhoCentralParcelFoam")
+    said = re.search(r"a shock stands at (\S+) % of patch inlet", text)
+    verdict(case + "_is_said", said is not None and "Gas: steady" not in text,
+            f"at {said[1]} % of the inlet" if said else "not said")
