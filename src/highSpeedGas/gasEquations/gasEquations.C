@@ -518,6 +518,9 @@ void Foam::gasEquations::reportInvalidCells()
     publish();
     completeWrite::begin(mesh_.time());
     const_cast<Time&>(mesh_.time()).writeNow();
+
+    // The first rank that stops ends the others, whatever they are writing
+    returnReduce(true, andOp<bool>());
     FatalErrorInFunction
         << "The gas solution broke down at time " << mesh_.time().timeName()
         << "; the last good fields are written there. A smaller maxCo, a"
