@@ -1,6 +1,7 @@
 # parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """What the case tests share: write a case, run it, read its fields."""
 
+import contextlib
 import os
 import re
 import shutil
@@ -226,6 +227,44 @@ def solve(case, ranks=1):
 
 
 # ------------------------------------------------------------------- reading
+
+@contextlib.contextmanager
+def undisturbed(case):
+    """Whatever is done meanwhile, the case starts from its time 0 as it was."""
+    shutil.copytree(f"{case}/0", f"{case}/undisturbed")
+    yield
+    for time in times_of(case):
+        shutil.rmtree(f"{case}/{time}")
+    os.rename(f"{case}/undisturbed", f"{case}/0")
+
+
+def comes_to_rest(case):
+    """Whether the gas of a case does, which is a verdict by itself."""
+    status, text = run(case, "rhoCentralParcelFoam")
+    steady = re.search(r"Gas: steady after (\d+)", text)
+    return verdict(case, not status and steady is not None,
+                   complaint(text) if status or not steady
+                   else f"steady after {steady[1]} iterations")
+
+
+def read_points(case):
+    """Points of a mesh in ASCII."""
+    with open(f"{case}/constant/polyMesh/points") as file:
+        body = file.read().split("\n(\n")[1]
+    return np.array([row.split() for row in
+                     re.findall(r"^\(([^()]*)\)$", body, re.M)], float)
+
+
+def write_points(case, points):
+    """Others in their places."""
+    path = f"{case}/constant/polyMesh/points"
+    with open(path) as file:
+        head = file.read().split("\n(\n")[0]
+    with open(path, "w") as file:
+        file.write(head + "\n(\n" + "\n".join(
+            "({!r} {!r} {!r})".format(*map(float, x)) for x in points)
+            + "\n)\n")
+
 
 def last_fields(case, names="p T U rho", time=None):
     time = time or times_of(case)[-1]

@@ -2,27 +2,15 @@
 """Starts from the undisturbed stream; stands in a folder with the prepared
 case 'half'."""
 
-import os
-import re
-import shutil
-
 import numpy as np
-from caseTools import (GAMMA, R_GAS, box, complaint, copy_case, edit,
-                       last_fields, must, run, verdict, write_block,
-                       write_case, write_field, write_foam, entries)
+from bluntBody import P, SOUND, T, pitot
+from caseTools import (GAMMA, R_GAS, box, comes_to_rest, complaint, copy_case,
+                       edit, entries, last_fields, must, read_points, run,
+                       undisturbed, verdict, write_block, write_case,
+                       write_field, write_foam, write_points)
 from riemann import riemann
 
 FLUXES = "Kurganov", "SLAU2", "AUSMPlusUp", "HLLC"
-P, T = 26500.0, 223.25
-SOUND = np.sqrt(GAMMA*R_GAS*T)
-
-
-def pitot(M):
-    """Stagnation over free-stream pressure behind a normal shock: Rayleigh's
-    pitot formula."""
-    g = GAMMA
-    return ((0.5*(g + 1)*M*M)**(g/(g - 1))
-            / (2*g/(g + 1)*M*M - (g - 1)/(g + 1))**(1/(g - 1)))
 
 
 def prepare(source, case, flux, mach, gas, **control):
@@ -74,11 +62,7 @@ for flux in FLUXES:
 def shake(case, share, seed=1):
     """Move the points of a plane mesh by up to a share of the way to their
     nearest neighbour, both planes alike."""
-    path = f"{case}/constant/polyMesh/points"
-    with open(path) as file:
-        head, body = file.read().split("\n(\n")
-    points = np.array([row.split() for row in
-                       re.findall(r"^\(([^()]*)\)$", body, re.M)], float)
+    points = read_points(case)
     planes = [np.flatnonzero(points[:, 2] == z)
               for z in np.unique(points[:, 2])]
     low, up = (plane[np.lexsort(points[plane, :2].T)] for plane in planes)
@@ -92,10 +76,7 @@ def shake(case, share, seed=1):
     turn = np.random.default_rng(seed).uniform(-1, 1, xy.shape)
     moved = xy + share*way[:, None]*turn
     points[low, :2] = points[up, :2] = moved
-    with open(path, "w") as file:
-        file.write(head + "\n(\n" + "\n".join(
-            "({!r} {!r} {!r})".format(*map(float, point)) for point in points)
-            + "\n)\n")
+    write_points(case, points)
 
 
 # Full sector, where a carbuncle would have both sides to grow to, on cells in
@@ -106,21 +87,14 @@ for flux, mach in ("HLLC", 6), ("HLLC", 20), ("Kurganov", 20):
     prepare("half", case, flux, mach, {"mode": "steady"},
             endTime=1, deltaT=1, writeInterval=1, writeFormat="ascii",
             writePrecision=12)
-    shutil.copytree(f"{case}/0", f"{case}/undisturbed")
-    must(case, "alignMeshToShock")
-    write_foam(case, "system/mirrorMeshDict", "planeType pointAndNormal;"
-               " pointAndNormalDict { point (0 0 0); normal (0 1 0); }"
-               " planeTolerance 1e-9;")
-    must(case, "mirrorMesh", "-overwrite")
-    shutil.rmtree(f"{case}/0")
-    os.rename(f"{case}/undisturbed", f"{case}/0")
+    with undisturbed(case):
+        must(case, "alignMeshToShock")
+        write_foam(case, "system/mirrorMeshDict", "planeType pointAndNormal;"
+                   " pointAndNormalDict { point (0 0 0); normal (0 1 0); }"
+                   " planeTolerance 1e-9;")
+        must(case, "mirrorMesh", "-overwrite")
     shake(case, 1e-4)
-    status, text = run(case, "rhoCentralParcelFoam")
-    steady = re.search(r"Gas: steady after (\d+)", text)
-    verdict(case, not status and steady is not None,
-            complaint(text) if status or not steady
-            else f"steady after {steady.group(1)} iterations")
-    if status:
+    if not comes_to_rest(case):
         continue
     must(case, "postProcess", "-func", "writeCellCentres", "-latestTime")
     # By side, column from the stagnation line and place from the wall outwards

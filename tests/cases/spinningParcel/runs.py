@@ -36,11 +36,7 @@ subModels
     rotationalTorqueModel rotationalTorque;
     injectionModels
     {
-        stream
-        {
-            type crossSectionInjection; volumeFraction 2e-5; diameter 4e-6;
-            U0 (500 30 0); patches (xMin); front (0.02 0 0);
-        }
+        stream { diameter 4e-6; U0 (500 30 0); STREAM }
     }
     patchInteractionModel standardWallInteraction;
     standardWallInteractionCoeffs { type rebound; e 0.8; mu 0.1; }
@@ -49,13 +45,16 @@ subModels
 }
 cloudFunctions {}
 """
+STREAM = ("type crossSectionInjection; volumeFraction 2e-5; patches (xMin);"
+          " front (0.02 0 0);")
+RAKE = "type rakeInjection; start (0.01 0.004 0); end (0.03 0.02 0);"
 MOTIONS = {"stock": "motion stock;",
            "embedded": "motion { type embeddedRK54; tolerance 1e-6; }"}
 MOTIONS["linear"] = MOTIONS["embedded"]
 TIMES = ("5e-05", "0.0001")
 
 
-def make(case, motion):
+def make(case, motion, stream=STREAM):
     write_case(
         case,
         {"endTime": 1e-4, "deltaT": 2e-6, "writeInterval": 5e-5,
@@ -79,6 +78,7 @@ def make(case, motion):
     write_foam(case, "constant/parcelClouds", "clouds (sand);")
     write_foam(case, "constant/sandProperties",
                CLOUD.replace("MOTION", MOTIONS[motion]).replace(
+                   "STREAM", stream).replace(
                    "SCHEME", "cellLinear" if motion == "linear"
                    else "cellPoint"))
 
@@ -131,12 +131,7 @@ for motion in MOTIONS:
 
 # A directory that a run on v1912 has left goes on, on any release, as it did
 case = "kept"
-make(case, "linear")
-edit(case, "constant/sandProperties",
-     "type crossSectionInjection; volumeFraction 2e-5; diameter 4e-6;\n"
-     "            U0 (500 30 0); patches (xMin); front (0.02 0 0);",
-     "type rakeInjection; start (0.01 0.004 0); end (0.03 0.02 0);\n"
-     "            nParcels 8; nParticle 1; diameter 4e-6; U0 (500 30 0);")
+make(case, "linear", RAKE + " nParcels 8; nParticle 1;")
 shutil.copytree(os.path.join(HERE, "v1912"), f"{case}/1e-05")
 for name in "p", "T", "U":
     shutil.copy(f"{case}/0/{name}", f"{case}/1e-05/{name}")
@@ -147,16 +142,15 @@ expected = np.loadtxt(os.path.join(HERE, "v1912", "expected.csv"),
                       delimiter=",", skiprows=1)
 found = np.array([[i, *u[:2], w[2]] for i, (u, w) in
                   state(case, "2e-05").items()])
-worst = (np.abs(found/np.where(expected == 0, 1, expected)
-                - (expected != 0)).max()
-         if found.shape == expected.shape else np.inf)
+same = np.array_equal(found[:, 0], expected[:, 0])
+worst = np.abs(found[:, 1:]/expected[:, 1:] - 1).max() if same else 1.0
 verdict("parcels_of_v1912_go_on", worst < 1e-11,
         f"{len(found)} parcels, largest relative difference {worst:.2g}")
 
 # A closed box: what the spinning grains lose is what the gas gains, without
 # the stock entry sourceTerms
 case = "box"
-make(case, "embedded")
+make(case, "embedded", RAKE + " nParcels 40; nParticle 1e5;")
 write_foam(case, "system/fvSolution",
            "highSpeedGas { mode transient; maxCo 0.4; }")
 slip = {side: "type slip;" for side in ("xMin", "xMax", "yMin", "yMax")}
@@ -171,12 +165,7 @@ write_field(case, "T", 250, still)
 write_field(case, "U", (0, 0, 0), slip)
 for old, new in (
         ("coupled no;", "coupled yes;"),
-        ("rebound; e 0.8; mu 0.1", "rebound; e 1; mu 0"),
-        ("type crossSectionInjection; volumeFraction 2e-5; diameter 4e-6;\n"
-         "            U0 (500 30 0); patches (xMin); front (0.02 0 0);",
-         "type rakeInjection; start (0.01 0.004 0); end (0.03 0.02 0);\n"
-         "            nParcels 40; nParticle 1e5; diameter 4e-6;"
-         " U0 (500 30 0);")):
+        ("rebound; e 0.8; mu 0.1", "rebound; e 1; mu 0")):
     edit(case, "constant/sandProperties", old, new)
 solve(case)
 
