@@ -437,6 +437,9 @@ void Foam::gasEquations::setSources
 
 void Foam::gasEquations::reportInletShocks() const
 {
+    // Of pressures, through a normal shock at Mach number 1.2
+    const scalar jump = 1.5;
+
     for (const gasMesh::patchRange& patch : geometry_.patches())
     {
         if (patch.coupled || patch.image())
@@ -451,7 +454,7 @@ void Foam::gasEquations::reportInletShocks() const
             const double* outside = &primitive[geometry_.far[f]*nVar_];
             const double* inside = &primitive[geometry_.owner[f]*nVar_];
             all += geometry_.area[f];
-            if (outwardSpeed(f, outside, a) < -a && inside[0] > 1.5*outside[0])
+            if (outwardSpeed(f, outside, a) < -a && inside[0] > jump*outside[0])
             {
                 shocked += geometry_.area[f];
             }

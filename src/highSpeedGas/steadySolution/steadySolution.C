@@ -136,11 +136,12 @@ bool Foam::steadySolution::converge(NewtonKrylov& newton)
 {
     const label patience = 200;
     const label maxUnsolved = 4;
+    const label maxAlike = 10;
+    const scalar firstCo = 10;
     label nUnsolved = 0;
     scalar best = GREAT;
     label bestIteration = iterations_;
-    const scalar first = 10;
-    scalar Co = first;
+    scalar Co = firstCo;
     label nAlike = 0;
 
     equations_.calm();
@@ -206,9 +207,9 @@ bool Foam::steadySolution::converge(NewtonKrylov& newton)
             bestIteration = iterations_;
             nAlike = 0;
         }
-        else if (nAlike == 10)
+        else if (nAlike == maxAlike)
         {
-            Co = first;
+            Co = min(Co, firstCo);
             nAlike = 0;
         }
     }
