@@ -83,12 +83,5 @@ void impact::hendersonDrag::CdRe
         (
             m, Re + from, K + from, M, ratio, sqrtHalfGamma_, result + from
         );
-        for (int i = 0; i < m; ++i)
-        {
-            if (M[i] > 1 && M[i] < 1.75)
-            {
-                result[from + i] = of(Re[from + i], K[from + i], ratio[i]);
-            }
-        }
     }
 }

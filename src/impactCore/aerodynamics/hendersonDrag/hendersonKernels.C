@@ -18,10 +18,19 @@ impactKernel void impact::hendersonFormulas::CdRe
 {
     for (int i = 0; i < n; ++i)
     {
+        // The ends of the interpolation have this Re, hence another K
+        const double perRe = 1/nonZero(Re[i]);
+        const double Ms = M[i] < 1 ? M[i] : 1;
+        const double Mf = M[i] > 1.75 ? M[i] : 1.75;
+        const double Ks = M[i] > 1 ? perRe : K[i];
+        const double Kf = M[i] < 1.75 ? 1.75*perRe : K[i];
         const double slow =
-            subsonic(Re[i], K[i], M[i], TpOverT[i], sqrtHalfGamma);
+            subsonic(Re[i], Ks, Ms, TpOverT[i], sqrtHalfGamma);
         const double fast =
-            supersonic(Re[i], K[i], M[i], TpOverT[i], sqrtHalfGamma);
-        result[i] = M[i] <= 1 ? slow : fast;
+            supersonic(Re[i], Kf, Mf, TpOverT[i], sqrtHalfGamma);
+        const double w = (M[i] - 1)/0.75;
+        const double between = (1 - w)*slow + w*fast;
+        const double first = M[i] <= 1 ? slow : between;
+        result[i] = M[i] >= 1.75 ? fast : first;
     }
 }
