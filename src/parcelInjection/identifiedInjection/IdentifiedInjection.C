@@ -154,19 +154,29 @@ bool Foam::IdentifiedInjection<CloudType>::prepareForNextTimeStep
     select(t0, candidates);
     locate(candidates);
 
-    parcels_.clear();
+    label nHere = 0;
     for (const newParcel& candidate : candidates)
     {
-        if (candidate.cell >= 0)
-        {
-            parcels_.append(candidate);
-        }
+        nHere += candidate.cell >= 0;
     }
     outside
     (
         candidates,
-        candidates.size() - returnReduce(parcels_.size(), sumOp<label>())
+        candidates.size() - returnReduce(nHere, sumOp<label>())
     );
+
+    // In place: those that fill the domain at the start are many
+    nHere = 0;
+    for (const newParcel& candidate : candidates)
+    {
+        if (candidate.cell >= 0)
+        {
+            candidates[nHere++] = candidate;
+        }
+    }
+    candidates.setSize(nHere);
+    parcels_.transfer(candidates);
+    parcels_.shrink();
 
     newParcels = parcels_.size();
     newVolumeFraction = 1;
@@ -192,7 +202,6 @@ void Foam::IdentifiedInjection<CloudType>::postInjectCheck
 {
     InjectionModel<CloudType>::postInjectCheck(parcelsAdded, massAdded);
 
-    // Those that fill the domain at the start are many
     parcels_.clearStorage();
 }
 
