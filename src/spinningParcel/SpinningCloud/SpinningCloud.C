@@ -87,7 +87,13 @@ void Foam::SpinningCloud<CloudType>::setModels()
         heatTransfer(this->particleProperties(), this->mesh());
     }
 
-    Info<< "Parcels of " << label(sizeof(parcelType)) << " bytes" << endl;
+    this->arrays().follow(rotation_, heat_.valid());
+    Info<< "Parcels of ";
+    if (embedded_.valid())
+    {
+        Info<< this->arrays().bytes() << " bytes in arrays, as objects of ";
+    }
+    Info<< label(sizeof(parcelType)) << " bytes" << endl;
     if (!rotation_)
     {
         // A force that is nothing need not be asked for each parcel

@@ -10,6 +10,38 @@
 #include "SphereDragForce.H"
 #include "sphereDrag.H"
 
+// * * * * * * * * * * * * * * * * Local Classes * * * * * * * * * * * * * * //
+
+template<class CloudType>
+class Foam::SpinningCloud<CloudType>::settled
+{
+    const SpinningCloud& cloud_;
+
+public:
+
+    explicit settled(const SpinningCloud& cloud)
+    :
+        cloud_(cloud)
+    {
+        if (cloud_.embedded_.valid())
+        {
+            cloud_.settle(cloud_.cells(), true);
+        }
+    }
+
+    settled(const settled&) = delete;
+    void operator=(const settled&) = delete;
+
+    ~settled()
+    {
+        if (cloud_.embedded_.valid())
+        {
+            cloud_.settle(cloud_.cells(), false);
+        }
+    }
+};
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<class CloudType>
@@ -232,12 +264,8 @@ void Foam::SpinningCloud<CloudType>::changeGas
     const polyMesh& mesh = this->mesh();
     exchanges_.assign(mesh.nCells(), impact::jointExchange());
     cellGas::field store;
-    for (parcelType& p : *this)
+    const auto add = [&](parcelType& p)
     {
-        if (!p.active())
-        {
-            continue;
-        }
         impact::vector3 x{0, 0, 0};
         label celli = -1;
         p.locate(cells(), x, celli);
@@ -269,6 +297,22 @@ void Foam::SpinningCloud<CloudType>::changeGas
                 W, dt, here, state.v, rate.k, p.temperature(), force.heat()
             );
         }
+    };
+    if (this->arrays().size())
+    {
+        std::unique_ptr<parcelType> p(this->objectOf(0));
+        for (label i = 0; i < this->arrays().size(); ++i)
+        {
+            this->arrays().show(i, cells(), *p);
+            add(*p);
+        }
+    }
+    for (parcelType& p : this->objects())
+    {
+        if (p.active())
+        {
+            add(p);
+        }
     }
     changes_.resize(mesh.nCells());
     forAll(mesh.cells(), celli)
@@ -284,23 +328,13 @@ void Foam::SpinningCloud<CloudType>::changeGas
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<class CloudType>
-void Foam::SpinningCloud<CloudType>::settle() const
-{
-    if (embedded_.valid())
-    {
-        for (parcelType& p : const_cast<spinningCloudType&>(*this))
-        {
-            p.settle(cells());
-        }
-    }
-}
-
-
-template<class CloudType>
 void Foam::SpinningCloud<CloudType>::writeFields() const
 {
-    settle();
-    CloudType::writeFields();
+    {
+        const settled now(*this);
+        particle::writeFields(*this);
+    }
+    parcelType::writeFields(*this);
     if (!embedded_.valid() || watched_)
     {
         return;
@@ -379,7 +413,7 @@ void Foam::SpinningCloud<CloudType>::readFlights()
 template<class CloudType>
 void Foam::SpinningCloud<CloudType>::writeObjects(objectRegistry& obr) const
 {
-    settle();
+    const settled now(*this);
     CloudType::writeObjects(obr);
 }
 
@@ -392,6 +426,12 @@ void Foam::SpinningCloud<CloudType>::preEvolve
 {
     CloudType::preEvolve(FOAM_COMPAT_EVOLVE_PASS);
     prepareMotion();
+    if (inArrays())
+    {
+        // What is injected comes behind what there is
+        this->pack(cells());
+        this->packAdded(cells(), true);
+    }
 }
 
 
@@ -410,24 +450,18 @@ void Foam::SpinningCloud<CloudType>::evolve()
 
 
 template<class CloudType>
-template<class Next, class Rest>
-void Foam::SpinningCloud<CloudType>::moveInBlocks
-(
-    typename parcelType::trackingData& td,
-    const Next& next,
-    const Rest& rest
-)
+template<class Rest>
+void Foam::SpinningCloud<CloudType>::moveInBlocks(const Rest& rest)
 {
     typedef SpinningCloud<CloudType> cloud;
     if (coreForce_.valid())
     {
-        BlockMotion<cloud, spinningCoreForce>(*this, td, coreForce_())
-            .move(next, rest);
+        BlockMotion<cloud, spinningCoreForce>(*this, coreForce_()).move(rest);
     }
     else
     {
         BlockMotion<cloud, heatedForce<spinningCoreForce>>
-            (*this, td, heatedCoreForce_()).move(next, rest);
+            (*this, heatedCoreForce_()).move(rest);
     }
 }
 
@@ -441,6 +475,14 @@ void Foam::SpinningCloud<CloudType>::motion
 )
 {
     inMotion_ = true;
+    if (inArrays())
+    {
+        this->packAdded(cells(), false);
+    }
+    else
+    {
+        this->unpack();
+    }
     if (embedded_.valid() && this->solution().coupled() && gasResponds_)
     {
         withForce([&](auto& force) { changeGas(force, td); });
@@ -451,39 +493,29 @@ void Foam::SpinningCloud<CloudType>::motion
         collisions_->motion(td);
         this->updateCellOccupancy();
     }
-    else if (movesInBlocks())
+    else if (inArrays())
     {
-        // Those that have arrived step aside for those that go on one by one
-        IDLList<parcelType> rest, arrived;
-        auto next = this->begin();
-        const auto last = this->end();
+        // Those that stick to walls step aside for those that go on one by one
+        IDLList<parcelType> inactive;
+        inactive.transfer(this->objects());
+        for (parcelType& p : inactive)
+        {
+            p.stepFraction() = 1;
+            p.age() += this->solution().trackTime();
+        }
         moveInBlocks
         (
-            td,
-            [&]() -> parcelType*
+            [&](const label i, const typename parcelType::begun& begun)
             {
-                if (next == last)
-                {
-                    return nullptr;
-                }
-                parcelType& p = next();
-                ++next;
-                return &p;
-            },
-            [&](parcelType* p, label)
-            {
-                rest.append(this->remove(p));
+                leaveBegun(*this->take(i), begun);
             }
         );
-        arrived.transfer(*this);
-        this->IDLList<parcelType>::transfer(rest);
+        this->fill();
         CloudType::motion(cloud, td);
-        while (this->size())
+        while (inactive.size())
         {
-            arrived.append(this->removeHead());
+            this->objects().append(inactive.removeHead());
         }
-        this->IDLList<parcelType>::transfer(arrived);
-        this->updateCellOccupancy();
     }
     else
     {

@@ -133,7 +133,6 @@ void Foam::SpinningParcel<ParcelType>::writeFields(const CloudType& c)
 {
     // One by one: the function of the kinematic parcel has all of its fields
     // in memory at the same time
-    particle::writeFields(c);
     typedef SpinningParcel<ParcelType> parcel;
     const auto write = [&](const word& name, const auto& value)
     {

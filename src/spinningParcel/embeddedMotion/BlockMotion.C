@@ -4,33 +4,30 @@
 
 #include "BlockMotion.H"
 #include "curvedPath.H"
-#include "fetchAhead.H"
 #include "meshTools.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<class CloudType, class Force>
-void Foam::BlockMotion<CloudType, Force>::take(const int i, parcelType& p)
+void Foam::BlockMotion<CloudType, Force>::take(const int i, const label at)
 {
     flyer& f = flyers_[i];
-    f.parcel = &p;
-    impact::vector3 x;
-    p.locate(cells_, x, cell_[i]);
-    impact::motionLanes::set(block_.now.x, i, x);
+    f.at = at;
+    cell_[i] = parcels_.cell[at];
+    impact::motionLanes::set(block_.now.x, i, toCore(parcels_.x[at]));
     enter(i);
-    f.place = -1;
     f.begin = 0;
     f.over = false;
     f.nForces = 0;
     f.stalls = 0;
 
-    block_.sphere(i, p.d(), p.rho());
+    block_.sphere(i, parcels_.d[at], parcels_.rho[at]);
     block_.hTry[i] = GREAT;
-    impact::motionLanes::set(block_.now.v, i, toCore(p.U()));
-    impact::motionLanes::set(block_.now.omega, i, toCore(p.omega()));
+    impact::motionLanes::set(block_.now.v, i, toCore(parcels_.U[at]));
+    impact::motionLanes::set(block_.now.omega, i, toCore(parcels_.spin(at)));
     if constexpr (heated)
     {
-        block_.now.enthalpy[i] = force_.heat().material().h(p.temperature());
+        block_.now.enthalpy[i] = force_.heat().material().h(parcels_.T[at]);
     }
 }
 
@@ -38,29 +35,15 @@ void Foam::BlockMotion<CloudType, Force>::take(const int i, parcelType& p)
 template<class CloudType, class Force>
 void Foam::BlockMotion<CloudType, Force>::release(const int i)
 {
-    const flyer& f = flyers_[i];
-    parcelType& p = *f.parcel;
-    p.U() = fromCore(impact::motionLanes::of(block_.now.v, i));
-    p.omega() = fromCore(impact::motionLanes::of(block_.now.omega, i));
-    p.setFlight({impact::motionLanes::of(block_.now.x, i), cell_[i]});
-    if (f.begin < 1)
+    const label at = flyers_[i].at;
+    parcels_.x[at] = fromCore(impact::motionLanes::of(block_.now.x, i));
+    parcels_.U[at] = fromCore(impact::motionLanes::of(block_.now.v, i));
+    if (parcels_.omega.size())
     {
-        cloud_.leaveBegun(p, {f.begin, block_.hTry[i], f.nForces});
+        parcels_.omega[at] =
+            fromCore(impact::motionLanes::of(block_.now.omega, i));
     }
-    p.stepFraction() = f.begin;
-    if (f.place >= 0)
-    {
-        // Some tetrahedron of the cell, for whoever asks
-        const label meshCelli = cells_.meshCell(cell_[i]);
-        const label facei = cells_.meshFace(f.place);
-        if (facei >= 0 || p.cell() != meshCelli)
-        {
-            p.tetFace() =
-                facei >= 0 ? facei : cells_.mesh().cells()[meshCelli][0];
-            p.tetPt() = 1;
-        }
-        p.cell() = meshCelli;
-    }
+    parcels_.cell[at] = cell_[i];
 }
 
 
@@ -69,7 +52,7 @@ typename Foam::BlockMotion<CloudType, Force>::outcome
 Foam::BlockMotion<CloudType, Force>::alone(const int i)
 {
     const flyer& f = flyers_[i];
-    force_.parcel(*f.parcel, td_);
+    force_.sphere(parcels_.d[f.at], parcels_.rho[f.at]);
     force_.place(*block_.now.gas[i], impact::motionLanes::of(block_.now.x, i));
     return motion_.step
     (
@@ -93,17 +76,21 @@ void Foam::BlockMotion<CloudType, Force>::exchange
     const scalar t
 )
 {
-    parcelType& p = *flyers_[i].parcel;
+    const label at = flyers_[i].at;
+    parcelType& p = *exchanging_;
+    p.d() = parcels_.d[at];
+    p.rho() = parcels_.rho[at];
+    p.nParticle() = parcels_.nParticle[at];
     p.U() = fromCore(impact::motionLanes::of(block_.now.v, i));
     p.omega() = fromCore(impact::motionLanes::of(block_.now.omega, i));
     p.cell() = cells_.meshCell(cell_[i]);
     scalar heat = 0;
     if constexpr (heated)
     {
-        const scalar T0 = p.temperature();
-        p.temperature() =
+        const scalar T0 = parcels_.T[at];
+        p.temperature() = parcels_.T[at] =
             force_.heat().material().T(block_.now.enthalpy[i]);
-        force_.parcel(p, td_);
+        force_.sphere(p.d(), p.rho());
         heat = p.takeHeat(cloud_, force_.heat(), T0, o.kHeat, t);
     }
     if (coupled_)
@@ -189,7 +176,7 @@ void Foam::BlockMotion<CloudType, Force>::follow(const int i)
     {
         exchange(i, state, o, t);
     }
-    f.parcel->age() += t;
+    parcels_.age[f.at] += t;
     f.begin =
         place >= 0 || t < left ? min(f.begin + t/trackTime_, scalar(1)) : 1;
     f.stalls = t < 1e-9*trackTime_ ? f.stalls + 1 : 0;
@@ -197,7 +184,6 @@ void Foam::BlockMotion<CloudType, Force>::follow(const int i)
     {
         cell_[i] = cells_.behind(place, x);
         enter(i);
-        f.place = place;
         statistics.maxForces =
             max(statistics.maxForces, scalar(f.nForces));
         f.nForces = 0;
@@ -277,12 +263,11 @@ template<class CloudType, class Force>
 Foam::BlockMotion<CloudType, Force>::BlockMotion
 (
     CloudType& cloud,
-    typename parcelType::trackingData& td,
     Force& force
 )
 :
     cloud_(cloud),
-    td_(td),
+    parcels_(cloud.arrays()),
     force_(force),
     motion_(cloud.embedded()),
     cells_(cloud.cells()),
@@ -303,32 +288,21 @@ Foam::BlockMotion<CloudType, Force>::BlockMotion
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<class CloudType, class Force>
-template<class Next, class Rest>
-void Foam::BlockMotion<CloudType, Force>::move
-(
-    const Next& next,
-    const Rest& rest
-)
+template<class Rest>
+void Foam::BlockMotion<CloudType, Force>::move(const Rest& rest)
 {
-    parcelType* p = next();
-    fetchAhead fetch;
-    label number = 0;
+    const label nParcels = parcels_.size();
+    if (nParcels && (heated || coupled_))
+    {
+        exchanging_.reset(cloud_.objectOf(0));
+    }
+    label next = 0;
     int n = 0;
     while (true)
     {
-        for (; n < size && p; p = next(), ++number)
+        while (n < size && next < nParcels)
         {
-            fetch(p, sizeof(parcelType));
-            if (p->active())
-            {
-                flyers_[n].number = number;
-                take(n++, *p);
-            }
-            else
-            {
-                p->stepFraction() = 1;
-                p->age() += trackTime_;
-            }
+            take(n++, next++);
         }
         if (n == 0)
         {
@@ -346,7 +320,14 @@ void Foam::BlockMotion<CloudType, Force>::move
             release(i);
             if (f.begin < 1)
             {
-                rest(f.parcel, f.number);
+                rest
+                (
+                    f.at,
+                    typename parcelType::begun
+                    {
+                        f.begin, block_.hTry[i], f.nForces
+                    }
+                );
             }
             --n;
             if (i < n)

@@ -162,11 +162,12 @@ void Foam::EventDrivenCollisions<CloudType>::checkThickness() const
 template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::checkNumber
 (
-    const parcelType& p
+    const scalar n,
+    const scalar d,
+    const point& x
 ) const
 {
-    const scalar n = p.nParticle();
-    const scalar slab = slabThickness_/p.d();
+    const scalar slab = slabThickness_/d;
     if
     (
         mag(n - 1) > 1e-6
@@ -178,8 +179,7 @@ void Foam::EventDrivenCollisions<CloudType>::checkNumber
             dict_, "nParticle", n, "1 with collisions",
             dimension_ == 2
           ? (" or slabThickness/d = " + Foam::name(slab)).c_str() : "",
-            ". The parcel has a diameter of ", p.d(), " m and is at ",
-            p.position()
+            ". The parcel has a diameter of ", d, " m and is at ", x
         );
     }
 }
@@ -260,7 +260,7 @@ Foam::EventDrivenCollisions<CloudType>::EventDrivenCollisions
     anyNew_(false),
     bounds_(cloud.mesh().bounds()),
     directions_(vector::one),
-    nParcels_(-1),
+    nKnown_(nActive()),
     td_(nullptr),
     deltaT_(0),
     totals_(scalar(0)),
@@ -304,8 +304,6 @@ Foam::EventDrivenCollisions<CloudType>::EventDrivenCollisions
             << " events of its parcels, with those near it as its halo"
             << endl;
     }
-
-    nParcels_ = cloud.size();
 }
 
 
@@ -377,7 +375,8 @@ void Foam::EventDrivenCollisions<CloudType>::motion(trackingData& td)
             cloud_.deleteParticle(*f.parcel);
         }
     }
-    nParcels_ = cloud_.size();
+    cloud_.fill();
+    nKnown_ = nActive();
 }
 
 

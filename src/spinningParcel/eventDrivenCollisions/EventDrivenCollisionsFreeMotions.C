@@ -3,9 +3,25 @@
 \*---------------------------------------------------------------------------*/
 
 #include "EventDrivenCollisions.H"
-#include "fetchAhead.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class CloudType>
+void Foam::EventDrivenCollisions<CloudType>::admit
+(
+    parcelType* p,
+    const scalar nParticle,
+    const scalar d,
+    const point& x,
+    const bool injected
+)
+{
+    checkNumber(nParticle, d, x);
+    largest_ = max(largest_, d);
+    anyNew_ = anyNew_ || injected;
+    freeMotions_.emplace_back(p, injected);
+}
+
 
 template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::collect()
@@ -13,23 +29,27 @@ void Foam::EventDrivenCollisions<CloudType>::collect()
     freeMotions_.clear();
     flights_.clear();
     trajectories_.clear();
-    grow(freeMotions_, cloud_.size());
     largest_ = 0;
     anyNew_ = false;
-    label n = 0;
-    fetchAhead fetch;
-    for (parcelType& p : cloud_)
+    inBlocks_ = cloud_.inArrays();
+    grow(freeMotions_, cloud_.size());
+    const auto& parcels = arrays();
+    for (label i = 0; i < parcels.size(); ++i)
     {
-        fetch(&p, 192);
-        const bool injected = n++ >= nParcels_;
+        admit
+        (
+            nullptr, parcels.nParticle[i], parcels.d[i], parcels.x[i],
+            i >= nKnown_
+        );
+    }
+    label n = 0;
+    for (parcelType& p : cloud_.objects())
+    {
         p.stepFraction() = 0;
         foamCompat::forgetTrack(p);
         if (p.active())
         {
-            checkNumber(p);
-            largest_ = max(largest_, p.d());
-            anyNew_ = anyNew_ || injected;
-            freeMotions_.emplace_back(&p, injected);
+            admit(&p, p.nParticle(), p.d(), p.position(), n++ >= nKnown_);
         }
         else if (!p.move(cloud_, *td_, deltaT_))
         {
@@ -40,8 +60,50 @@ void Foam::EventDrivenCollisions<CloudType>::collect()
 
 
 template<class CloudType>
+Foam::label Foam::EventDrivenCollisions<CloudType>::nActive() const
+{
+    label n = arrays().size();
+    for (const parcelType& p : cloud_.objects())
+    {
+        n += p.active();
+    }
+    return n;
+}
+
+
+template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::regroup()
 {
+    if (inBlocks_)
+    {
+        // What is an object now goes to the end of the arrays. The gaps are
+        // filled here as they are there
+        std::unordered_map<const parcelType*, bool> injected;
+        for (const flight& f : flights_)
+        {
+            injected[f.parcel] = f.injected;
+        }
+        for (label i = label(freeMotions_.size()) - 1; i >= 0; --i)
+        {
+            if (freeMotions_[i].flight >= 0)
+            {
+                freeMotions_[i] = freeMotions_.back();
+                freeMotions_.pop_back();
+            }
+        }
+        cloud_.arrays().fill();
+        for (const parcelType& p : cloud_.objects())
+        {
+            if (p.active())
+            {
+                freeMotions_.emplace_back(nullptr, injected[&p]);
+            }
+        }
+        cloud_.pack(cloud_.cells());
+        flights_.clear();
+        return;
+    }
+
     for (freeMotion& q : freeMotions_)
     {
         if (q.flight >= 0)
@@ -76,38 +138,16 @@ std::vector<std::int32_t>
 Foam::EventDrivenCollisions<CloudType>::moveInBlocks()
 {
     std::vector<std::int32_t> rest;
-    std::size_t i = 0;
-    const bool spin = law_.spin();
-    if (spin)
-    {
-        grow(spins_, freeMotions_.size());
-        spins_.resize(freeMotions_.size());
-    }
+    begin_.take(arrays(), law_.spin());
     cloud_.moveInBlocks
     (
-        *td_,
-        [&]() -> parcelType*
+        [&](const label i, const typename parcelType::begun& begun)
         {
-            if (i == freeMotions_.size())
-            {
-                return nullptr;
-            }
-            freeMotion& q = freeMotions_[i];
-            parcelType& p = *q.parcel;
-            p.fly(cloud_.cells());
-            const typename parcelType::flight here(p.inFlight());
-            q.x = here.x;
-            q.cell = here.cell;
-            q.U = p.U();
-            q.age = p.age();
-            if (spin)
-            {
-                spins_[i] = p.omega();
-            }
-            ++i;
-            return &p;
-        },
-        [&](parcelType*, const label k) { rest.push_back(k); }
+            parcelType* p = freeMotions_[i].parcel = cloud_.take(i);
+            p->stepFraction() = begun.share;
+            cloud_.leaveBegun(*p, begun);
+            rest.push_back(i);
+        }
     );
     return rest;
 }
@@ -116,7 +156,6 @@ Foam::EventDrivenCollisions<CloudType>::moveInBlocks()
 template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::planAll()
 {
-    inBlocks_ = !planned_.watched() && cloud_.movesInBlocks();
     if (inBlocks_)
     {
         for (const std::int32_t i : moveInBlocks())
@@ -143,20 +182,20 @@ template<class CloudType>
 typename Foam::EventDrivenCollisions<CloudType>::plannedCloud::state
 Foam::EventDrivenCollisions<CloudType>::startOf(const std::int32_t i) const
 {
-    const freeMotion& q = freeMotions_[i];
-    typename plannedCloud::state start(*q.parcel);
-    start.U = q.U;
-    start.age = q.age;
+    typename plannedCloud::state start(*freeMotions_[i].parcel);
+    start.U = begin_.U[i];
+    start.age = begin_.age[i];
     if (law_.spin())
     {
-        start.omega = spins_[i];
+        start.omega = begin_.omega[i];
     }
     auto& where = start.where;
     where.stepFraction = 0;
-    where.where = typename parcelType::flight();
-    where.where.x = q.x;
-    where.where.cell = q.cell;
-    const label celli = cloud_.cells().meshCell(q.cell);
+    where.where = typename parcelType::flight
+    (
+        toCore(begin_.x[i]), begin_.cell[i]
+    );
+    const label celli = cloud_.cells().meshCell(begin_.cell[i]);
     if (where.cell != celli)
     {
         where.cell = celli;
@@ -176,6 +215,10 @@ std::int32_t Foam::EventDrivenCollisions<CloudType>::flightOf
     freeMotion& q = freeMotions_[i];
     if (q.flight < 0)
     {
+        if (!q.parcel)
+        {
+            q.parcel = cloud_.take(i);
+        }
         q.flight = flights_.size();
         flights_.emplace_back(*q.parcel);
         flights_.back().injected = q.injected;

@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "EventDrivenCollisions.H"
+#include "mathematicalConstants.H"
 #include "vicinity.H"
 
 #include <algorithm>
@@ -15,10 +16,11 @@ typename Foam::EventDrivenCollisions<CloudType>::member
 Foam::EventDrivenCollisions<CloudType>::memberOf(const std::int32_t i) const
 {
     const freeMotion& q = freeMotions_[i];
-    const parcelType& p = *q.parcel;
+    const scalar d = 2*radius(i);
+    const scalar rho = q.parcel ? q.parcel->rho() : arrays().rho[i];
     return
     {
-        identityOf(p), p.position(), p.d(), p.mass(),
+        identity(i), position(i), d, rho*constant::mathematical::pi/6*pow3(d),
         {Pstream::myProcNo(), ~label(i)}, q.injected
     };
 }
@@ -37,7 +39,7 @@ Foam::EventDrivenCollisions<CloudType>::injectedUpon(const vicinity& ofNew)
     for (std::size_t i = 0; i < freeMotions_.size(); ++i)
     {
         const freeMotion& q = freeMotions_[i];
-        if (!q.injected && !all && !ofNew.near(q.parcel->position()))
+        if (!q.injected && !all && !ofNew.near(position(i)))
         {
             continue;
         }
@@ -205,11 +207,11 @@ void Foam::EventDrivenCollisions<CloudType>::admitInjected()
 
     // Others matter near new parcels only, or at the ends of a period
     vicinity ofNew(bounds_, directions_);
-    for (const freeMotion& q : freeMotions_)
+    for (std::size_t i = 0; i < freeMotions_.size(); ++i)
     {
-        if (q.injected)
+        if (freeMotions_[i].injected)
         {
-            ofNew.add(q.parcel->position(), 2*largest);
+            ofNew.add(position(i), 2*largest);
         }
     }
     ofNew.reduce();

@@ -103,7 +103,7 @@ void Foam::EventDrivenCollisions<CloudType>::settleHere(flight& f)
 {
     if (f.ghost)
     {
-        cloud_.addParticle(f.parcel);
+        cloud_.objects().append(f.parcel);
         f.ghost = false;
     }
 }
@@ -155,7 +155,7 @@ void Foam::EventDrivenCollisions<CloudType>::unpack(const request& r)
     f.injected = r.m.injected;
     if (!f.ghost)
     {
-        cloud_.addParticle(&p);
+        cloud_.objects().append(&p);
     }
 }
 

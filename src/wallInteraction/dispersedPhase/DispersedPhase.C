@@ -65,7 +65,8 @@ void Foam::DispersedPhase<CloudType>::postEvolve
     }
     if (fields_->begin())
     {
-        for (const parcelType& p : this->owner())
+        const CloudType& cloud = this->owner();
+        for (const parcelType& p : cloud)
         {
             if (p.active())
             {

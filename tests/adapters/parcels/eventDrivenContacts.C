@@ -121,8 +121,8 @@ TEST_F(eventDrivenCollisionsTest, headOnIsExact)
             "",
             motion
         );
-        parcel& a = add(*cloud, vector(4e-4, 5e-4, 5e-5), vector(100, 0, 0));
-        parcel& b = add(*cloud, vector(4.6e-4, 5e-4, 5e-5), vector::zero);
+        const tracked a = add(*cloud, vector(4e-4, 5e-4, 5e-5), vector(100, 0, 0));
+        const tracked b = add(*cloud, vector(4.6e-4, 5e-4, 5e-5), vector::zero);
         step(*cloud);
 
         // They meet after 5e-5 m; with e = 0.5 they leave with 25 and 75 m/s
@@ -152,8 +152,8 @@ TEST_F(eventDrivenCollisionsTest, reboundHitsIncomingInTheSameStep)
     // a is at the wall x = 1e-3 after 0.2 us, comes back at 200 m/s and
     // meets b, which comes at 300 m/s; they exchange their velocities; b
     // then goes to the left, a to the wall again and returns
-    parcel& a = add(*cloud, vector(9.6e-4, 5e-4, 5e-5), vector(200, 0, 0));
-    parcel& b = add(*cloud, vector(8e-4, 5e-4, 5e-5), vector(300, 0, 0));
+    const tracked a = add(*cloud, vector(9.6e-4, 5e-4, 5e-5), vector(200, 0, 0));
+    const tracked b = add(*cloud, vector(8e-4, 5e-4, 5e-5), vector(300, 0, 0));
     step(*cloud);
     const scalar t = 0.2e-6 + (1.4e-4 - 1e-5)/500;
     const scalar meetA = 1e-3 - 200*(t - 0.2e-6);
@@ -187,7 +187,7 @@ TEST_F(eventDrivenCollisionsTest, eventsAreThoseOfASearchOfAllPairs)
                 motion
             );
             allPairs exact{{}, impact::pairLaw(0.8, 0.3)};
-            std::vector<parcel*> parcels;
+            std::vector<tracked> parcels;
             fill
             (
                 200, plane ? 1e-5 : 2e-5, plane ? 4e-5 : 8e-5, 50, plane,
@@ -199,8 +199,8 @@ TEST_F(eventDrivenCollisionsTest, eventsAreThoseOfASearchOfAllPairs)
                     const vector& omega
                 )
                 {
-                    parcels.push_back(&add(*cloud, x, U, d, omega));
-                    const parcel& p = *parcels.back();
+                    parcels.push_back(add(*cloud, x, U, d, omega));
+                    const parcel p = *parcels.back();
                     exact.s.push_back
                     ({
                         toCore(p.position()), toCore(U), toCore(omega),
@@ -238,7 +238,7 @@ TEST_F(eventDrivenCollisionsTest, eventsAreThoseOfASearchOfAllPairs)
             scalar worst = 0, roundOff = 0;
             for (std::size_t i = 0; i < parcels.size(); ++i)
             {
-                const parcel& p = *parcels[i];
+                const parcel p = *parcels[i];
                 const auto deviation =
                     [&](const vector& x, const vector& U, const vector& omega)
                     {
@@ -279,7 +279,7 @@ TEST_F(eventDrivenCollisionsTest, periodicBoxKeepsAllAndIsTheMeshFreeGas)
         periodic = true;
     }
     impact::hardSphereGas<> gas(domain, impact::pairLaw(1, 0), 3);
-    std::vector<parcel*> parcels;
+    std::vector<tracked> parcels;
     fill
     (
         300, 4e-5, 6e-5, 50, false,
@@ -291,13 +291,13 @@ TEST_F(eventDrivenCollisionsTest, periodicBoxKeepsAllAndIsTheMeshFreeGas)
             const vector& omega
         )
         {
-            parcel& p = add(*cloud, x, U, d, omega);
+            const tracked p = add(*cloud, x, U, d, omega);
             gas.add
             ({
                 parcels.size(), p.mass(), 0.5*d, toCore(p.position()),
                 toCore(U), toCore(omega)
             });
-            parcels.push_back(&p);
+            parcels.push_back(p);
         }
     );
     const vector before = momentum(*cloud);
@@ -312,21 +312,21 @@ TEST_F(eventDrivenCollisionsTest, periodicBoxKeepsAllAndIsTheMeshFreeGas)
     EXPECT_EQ(nPair, gas.counts().pairEvents);
     EXPECT_GT(nPair, 50);
     EXPECT_NEAR(energy(*cloud)/E, 1, 1e-12);
-    const scalar scale = 300*parcels[0]->mass()*50;
+    const scalar scale = 300*parcels[0].mass()*50;
     EXPECT_LT(mag(momentum(*cloud) - before), 1e-12*scale);
     scalar worst = 0;
     for (std::size_t i = 0; i < parcels.size(); ++i)
     {
         const impact::gasSphere s = gas.particle(i);
         vector way =
-            parcels[s.identity]->position() - fromCore(s.x);
+            parcels[s.identity].position() - fromCore(s.x);
         for (int k = 0; k < 3; ++k)
         {
             way[k] -= 1e-3*std::round(way[k]/1e-3);
         }
         worst = max(worst, mag(way)/1e-5);
         worst = max
-            (worst, mag(parcels[s.identity]->U() - fromCore(s.v))/50);
+            (worst, mag(parcels[s.identity].U() - fromCore(s.v))/50);
     }
     EXPECT_LT(worst, 1e-7);
 }
@@ -340,12 +340,12 @@ TEST_F(eventDrivenCollisionsTest, anEventKeepsMomentumAndAngularMomentum)
         "solution{motion embeddedRK54;collisions{type eventDriven;"
         "restitution 0.7;friction 0.4;}}"
     );
-    parcel& a = add
+    const tracked a = add
     (
         *cloud, vector(4e-4, 5e-4, 5e-4), vector(100, 3, -2), 1e-5,
         vector(1e6, -2e6, 3e6)
     );
-    parcel& b = add
+    const tracked b = add
     (
         *cloud, vector(4.6e-4, 5.05e-4, 4.97e-4), vector(-20, 0, 1), 3e-5,
         vector(-3e6, 1e6, 1e5)
@@ -358,7 +358,7 @@ TEST_F(eventDrivenCollisionsTest, anEventKeepsMomentumAndAngularMomentum)
     ASSERT_EQ(report.pairEvents, 1);
     EXPECT_LT(mag(momentum(*cloud) - p), 1e-12*mag(p));
     const scalar scale =
-        mag(L) + a.momentOfInertia()*4e6 + b.momentOfInertia()*4e6;
+        mag(L) + (*a).momentOfInertia()*4e6 + (*b).momentOfInertia()*4e6;
     EXPECT_LT(mag(angularMomentum(*cloud) - L), 1e-12*scale);
     EXPECT_NEAR
     (
@@ -430,7 +430,7 @@ TEST_F(eventDrivenCollisionsTest, freeParcelsMoveAsWithoutCollisions)
                 "hendersonDrag;magnus;",
                 word(motion) + (on ? "On" : "Off")
             );
-            const parcel& p = add
+            const tracked p = add
             (
                 *cloud, vector(4e-4, 5e-4, 5e-5), vector(200, 30, 0), 1e-5,
                 vector(0, 0, 1e6)

@@ -25,7 +25,7 @@ TEST_F(eventDrivenCollisionsTest, contactOnCurvedPathsConverges)
                 "hendersonDrag;",
                 word("n" + std::to_string(n))
             );
-            const parcel& a =
+            const tracked a =
                 add(*cloud, vector(1e-4, 5e-4, 5e-5), vector(40, 0, 0), 2e-6);
             add(*cloud, vector(3e-4, 5.01e-4, 5e-5), vector(10, 0, 0), 8e-6);
             scalar nPair = 0;
@@ -69,7 +69,7 @@ TEST_F(eventDrivenCollisionsTest, extremesStayFiniteAndConserve)
         const vector x(4e-4, 5e-4, 5e-5);
         const vector U(extreme.speed, 0, 0);
         add(*cloud, x, U);
-        const parcel& b = add
+        const tracked b = add
         (
             *cloud, x + vector(sigma + way, 0, 0),
             vector::zero, extreme.d
@@ -245,7 +245,8 @@ TEST_F(eventDrivenCollisionsTest, refusesBadInput)
     );
 
     const auto cloud = make();
-    add(*cloud, vector(4e-4, 5e-4, 5e-5), vector::zero).nParticle() = 3;
+    add(*cloud, vector(4e-4, 5e-4, 5e-5), vector::zero);
+    cloud->last()->nParticle() = 3;
     try
     {
         step(*cloud);
