@@ -11,6 +11,7 @@ Description
 #include "sweptGrid.H"
 
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <limits>
 #include <set>
 #include <stdexcept>
@@ -74,8 +75,31 @@ struct boxes
         return b;
     }
 
-    //- Images of j that overlap i
-    void images(int i, int j, std::set<imagePair>& found) const
+    //- What single precision may round coordinates by
+    double rounding() const
+    {
+        double span = 0;
+        for (int k = 0; k < 3; ++k)
+        {
+            double least = domain.low[k], most = domain.high[k];
+            for (const sweptBox& b : all)
+            {
+                least = std::min(least, b.low[k]);
+                most = std::max(most, b.high[k]);
+            }
+            span = std::max(span, most - least);
+        }
+        return 5e-7*span;
+    }
+
+    //- Images of j that overlap i, or miss it by no more than a margin
+    void images
+    (
+        int i,
+        int j,
+        std::set<imagePair>& found,
+        double margin = 0
+    ) const
     {
         // Axis by axis, more images than any box reaches
         const vector3 L = domain.period();
@@ -87,8 +111,8 @@ struct boxes
             {
                 if
                 (
-                    all[i].low[k] - m*L[k] <= all[j].high[k]
-                 && all[j].low[k] <= all[i].high[k] - m*L[k]
+                    all[i].low[k] - m*L[k] <= all[j].high[k] + margin
+                 && all[j].low[k] <= all[i].high[k] - m*L[k] + margin
                 )
                 {
                     shifts[k].push_back(m);
@@ -130,6 +154,7 @@ imagePair unpacked(int i, int j, std::int32_t image)
 TEST(sweptGrid, findsEveryOverlapOnce)
 {
     std::size_t total = 0;
+    int exact = 0;
     for (int kind = 0; kind < 128; ++kind)
     {
         counterRandom rnd(31, kind);
@@ -143,12 +168,19 @@ TEST(sweptGrid, findsEveryOverlapOnce)
         }
         grid.build();
 
-        std::set<imagePair> expected, found;
+        const auto within = [](const auto& some, const auto& all)
+        {
+            return std::includes
+                (all.begin(), all.end(), some.begin(), some.end());
+        };
+        const double margin = b.rounding();
+        std::set<imagePair> expected, allowed, found;
         for (int i = 0; i < n; ++i)
         {
             for (int j = i + 1; j < n; ++j)
             {
                 b.images(i, j, expected);
+                b.images(i, j, allowed, margin);
             }
         }
         bool twice = false;
@@ -156,7 +188,9 @@ TEST(sweptGrid, findsEveryOverlapOnce)
         {
             twice = !found.insert(unpacked(i, j, image)).second || twice;
         });
-        EXPECT_TRUE(found == expected) << kind;
+        EXPECT_TRUE(within(expected, found)) << kind;
+        EXPECT_TRUE(within(found, allowed)) << kind;
+        exact += found == expected;
         EXPECT_FALSE(twice) << kind;
         total += expected.size();
 
@@ -182,22 +216,28 @@ TEST(sweptGrid, findsEveryOverlapOnce)
                 b.all[i].high[m % 3] += 1.5;
             }
             grid.move(i, b.all[i]);
-            std::set<imagePair> around, seen;
+            std::set<imagePair> around, near, seen;
+            const double farther = b.rounding();
             for (int j = 0; j < n; ++j)
             {
                 if (j != i && !gone[j])
                 {
                     b.images(i, j, around);
+                    b.images(i, j, near, std::max(margin, farther));
                 }
             }
             grid.neighbours(i, [&](int j, std::int32_t image)
             {
                 EXPECT_TRUE(seen.insert(unpacked(i, j, image)).second);
             });
-            EXPECT_TRUE(seen == around) << kind << ' ' << m;
+            EXPECT_TRUE(within(around, seen)) << kind << ' ' << m;
+            EXPECT_TRUE(within(seen, near)) << kind << ' ' << m;
         }
     }
     EXPECT_GT(total, 10000u);
+
+    // Without boxes far away that there is nothing to round
+    EXPECT_GE(exact, 64);
 }
 
 

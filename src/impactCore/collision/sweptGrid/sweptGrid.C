@@ -43,7 +43,8 @@ impact::sweptGrid::sweptGrid(const collisionDomain& domain)
     domain_(domain),
     period_(domain.period()),
     anyMoved_(false),
-    histogram_(nBins)
+    histogram_(nBins),
+    roundOff_(0)
 {
     for (int k = 0; k < 3; ++k)
     {
@@ -171,6 +172,8 @@ void impact::sweptGrid::makeLevels()
         }
     }
 
+    roundOff_ = float(std::min(1e-15*farthest_ + 1e-37, 1e37));
+
     // Half of them fit the finest level: slow particles may be crowded where
     // fast ones are not
     std::size_t smaller = 0;
@@ -246,6 +249,7 @@ void impact::sweptGrid::build()
     const std::int32_t n = std::int32_t(boxes_.size());
     where_.resize(n);
     slots_.resize(n);
+    coarse_.resize(n);
     nextMoved_.resize(n);
     anyMoved_ = false;
 
@@ -265,6 +269,7 @@ void impact::sweptGrid::build()
     {
         const std::int32_t s = cellStart_[where_[i]]++;
         slots_[s] = i;
+        coarse_[s] = coarse(boxes_[i]);
         where_[i] = s;
     }
     for (std::size_t c = cellStart_.size() - 1; c > 0; --c)
@@ -272,6 +277,40 @@ void impact::sweptGrid::build()
         cellStart_[c] = cellStart_[c - 1];
     }
     cellStart_[0] = 0;
+}
+
+
+void impact::sweptGrid::laterRuns
+(
+    const level& l,
+    std::int64_t x,
+    std::int64_t y,
+    std::int64_t z,
+    std::vector<run>& runs
+) const
+{
+    runs.clear();
+    const auto take = [&]
+    (
+        std::int32_t first,
+        std::int32_t last,
+        std::int64_t kx,
+        std::int64_t ky,
+        std::int64_t kz
+    )
+    {
+        const std::int32_t begin = cellStart_[first], end = cellStart_[last];
+        if (begin < end)
+        {
+            runs.push_back({begin, end, kx, ky, kz});
+        }
+    };
+    const range rx = around(l, 0, x);
+    const range ry = around(l, 1, y);
+    const range rz = around(l, 2, z);
+    rows(l, {x + 1, rx.to}, {y, y}, {z, z}, take);
+    rows(l, rx, {y + 1, ry.to}, {z, z}, take);
+    rows(l, rx, ry, {z + 1, rz.to}, take);
 }
 
 
