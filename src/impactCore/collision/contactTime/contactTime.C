@@ -163,18 +163,14 @@ double impact::parabolicContact
     contactTolerance tolerance
 )
 {
-    const double a2 = dot(a, a);
-    if (a2 == 0)
+    if (dot(a, a) == 0)
     {
         return straightContact(s, v, sigma, end, tolerance);
     }
-    const double s2 = dot(s, s);
-    const double v2 = dot(v, v);
-    const double sigma2 = sigma*sigma;
     if
     (
         tolerance.restSpeed > 0
-     && s2 - sigma2 <= 2*sigma*tolerance.restDepth
+     && dot(s, s) - sigma*sigma <= 2*sigma*tolerance.restDepth
      && -dot(s, v) < sigma*tolerance.restSpeed
     )
     {
@@ -193,10 +189,7 @@ double impact::parabolicContact
     }
     const double touching = 2*sigma*tolerance.gap;
 
-    // Too far to reach each other
-    const double reach =
-        sigma + (std::sqrt(v2) + 0.5*std::sqrt(a2)*end)*end;
-    if (s2 > reach*reach*(1 + 1e-12))
+    if (passBy(s, v, a, sigma + tolerance.gap, end))
     {
         return never;
     }
