@@ -27,6 +27,7 @@ template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::collect()
 {
     freeMotions_.clear();
+    trajectoryOf_.clear();
     flights_.clear();
     trajectories_.clear();
     largest_ = 0;
@@ -156,6 +157,8 @@ Foam::EventDrivenCollisions<CloudType>::moveInBlocks()
 template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::planAll()
 {
+    grow(trajectoryOf_, freeMotions_.size());
+    trajectoryOf_.assign(freeMotions_.size(), -1);
     if (inBlocks_)
     {
         for (const std::int32_t i : moveInBlocks())
@@ -239,10 +242,9 @@ template<class CloudType>
 typename Foam::EventDrivenCollisions<CloudType>::trajectory&
 Foam::EventDrivenCollisions<CloudType>::at(const std::int32_t i)
 {
-    freeMotion& q = freeMotions_[i];
-    if (q.trajectory >= 0)
+    if (trajectoryOf_[i] >= 0)
     {
-        return trajectories_[q.trajectory];
+        return trajectories_[trajectoryOf_[i]];
     }
     const std::int32_t slot = flightOf(i);
     flight& f = flights_[slot];
@@ -265,7 +267,7 @@ Foam::EventDrivenCollisions<CloudType>::at(const std::int32_t i)
     c.pull = 0;
     c.home = {Pstream::myProcNo(), slot};
     adoptPlan(c, m);
-    q.trajectory = trajectories_.size();
+    trajectoryOf_[i] = trajectories_.size();
     trajectories_.push_back(c);
     return trajectories_.back();
 }
@@ -278,7 +280,7 @@ std::int32_t Foam::EventDrivenCollisions<CloudType>::addOther
 )
 {
     freeMotions_.emplace_back(nullptr, false);
-    freeMotions_.back().trajectory = trajectories_.size();
+    trajectoryOf_.push_back(trajectories_.size());
     trajectories_.push_back(c);
     return std::int32_t(freeMotions_.size()) - 1;
 }

@@ -272,8 +272,21 @@ void Foam::EventDrivenCollisions<CloudType>::makeHalo()
     news_.clear();
     stopped_.clear();
     post out(Pstream::nProcs());
+    const auto farAway = [&](const std::int32_t i)
+    {
+        return
+            !known(i)
+         && !territories_->foreignFrom
+            (
+                cloud_.cells().meshCell(begin_.cell[i])
+            );
+    };
     for (std::int32_t i = 0; i < own; ++i)
     {
+        if (farAway(i))
+        {
+            continue;
+        }
         const impact::sweptBox b(box(i));
         if (!meetsOthers(b))
         {

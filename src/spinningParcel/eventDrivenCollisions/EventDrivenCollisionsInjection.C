@@ -16,11 +16,12 @@ typename Foam::EventDrivenCollisions<CloudType>::member
 Foam::EventDrivenCollisions<CloudType>::memberOf(const std::int32_t i) const
 {
     const freeMotion& q = freeMotions_[i];
-    const scalar d = 2*radius(i);
+    const scalar d = ownDiameter(i);
     const scalar rho = q.parcel ? q.parcel->rho() : arrays().rho[i];
+    const scalar mass = rho*constant::mathematical::pi/6*pow3(d);
     return
     {
-        identity(i), position(i), d, rho*constant::mathematical::pi/6*pow3(d),
+        ownIdentity(i), position(i), d, mass,
         {Pstream::myProcNo(), ~label(i)}, q.injected
     };
 }

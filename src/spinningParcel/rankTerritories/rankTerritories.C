@@ -78,13 +78,13 @@ void Foam::rankTerritories::markMesh(const polyMesh& mesh)
     }
     boolList& marked = mesh_[Pstream::myProcNo()];
     marked.setSize(n_[0]*n_[1]*n_[2], false);
-    for (const boundBox& b : boxes)
+    forAll(boxes, celli)
     {
-        impact::sweptBox box;
+        impact::sweptBox& box = meshCells_[celli];
         for (label k = 0; k < 3; ++k)
         {
-            box.low[k] = b.min()[k];
-            box.high[k] = b.max()[k];
+            box.low[k] = boxes[celli].min()[k];
+            box.high[k] = boxes[celli].max()[k];
         }
         any(box, [&](const label i) { marked[i] = true; return false; });
     }
@@ -134,7 +134,8 @@ Foam::rankTerritories::rankTerritories
     domain_(domain),
     mesh_(Pstream::nProcs()),
     near_(Pstream::nProcs()),
-    width_(0)
+    width_(0),
+    meshCells_(mesh.nCells())
 {
     label axes = 0;
     scalar volume = 1;
@@ -187,6 +188,14 @@ void Foam::rankTerritories::setReach(const scalar distance, const bool extend)
                 foreign_[i] = foreign_[i] || near[i];
             }
         }
+    }
+    std::vector<bool> around(foreign_);
+    widen(around);
+    foreignFrom_.resize(meshCells_.size());
+    for (std::size_t i = 0; i < meshCells_.size(); ++i)
+    {
+        foreignFrom_[i] =
+            any(meshCells_[i], [&](const label k) { return bool(around[k]); });
     }
 }
 

@@ -121,7 +121,8 @@ TEST_F(eventDrivenCollisionsTest, headOnIsExact)
             "",
             motion
         );
-        const tracked a = add(*cloud, vector(4e-4, 5e-4, 5e-5), vector(100, 0, 0));
+        const tracked a =
+            add(*cloud, vector(4e-4, 5e-4, 5e-5), vector(100, 0, 0));
         const tracked b = add(*cloud, vector(4.6e-4, 5e-4, 5e-5), vector::zero);
         step(*cloud);
 
@@ -152,7 +153,8 @@ TEST_F(eventDrivenCollisionsTest, reboundHitsIncomingInTheSameStep)
     // a is at the wall x = 1e-3 after 0.2 us, comes back at 200 m/s and
     // meets b, which comes at 300 m/s; they exchange their velocities; b
     // then goes to the left, a to the wall again and returns
-    const tracked a = add(*cloud, vector(9.6e-4, 5e-4, 5e-5), vector(200, 0, 0));
+    const tracked a =
+        add(*cloud, vector(9.6e-4, 5e-4, 5e-5), vector(200, 0, 0));
     const tracked b = add(*cloud, vector(8e-4, 5e-4, 5e-5), vector(300, 0, 0));
     step(*cloud);
     const scalar t = 0.2e-6 + (1.4e-4 - 1e-5)/500;
