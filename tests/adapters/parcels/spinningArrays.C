@@ -127,6 +127,19 @@ TEST_F(spinningArrays, giveBackWhatTheyGot)
     EXPECT_EQ(cloud->size(), 40);
     cloud->clear();
     EXPECT_EQ(cloud->size(), 0);
+
+    // Nothing of one parcel is left to others
+    fill(*cloud, 1);
+    for (parcel& p : *cloud)
+    {
+        p.UTurb() = vector::zero;
+        p.d() = 5e-6;
+        p.fly(cloud->cells());
+    }
+    const auto plain = seen(*cloud);
+    cloud->pack(cloud->cells());
+    EXPECT_EQ(cloud->arrays().size(), 1);
+    EXPECT_EQ(seen(*cloud), plain);
 }
 
 
