@@ -56,13 +56,21 @@ impactKernel void impact::motionKernels::gas
         const double ry = x[1][i] - f.centre.y;
         const double rz = x[2][i] - f.centre.z;
         const double* value = &f.value.u.x;
-        double q[nValues];
-        for (int k = 0; k < nValues; ++k)
+        const auto at = [&](int k)
         {
-            q[k] =
+            return
                 value[k] + f.slope[0][k]*rx + f.slope[1][k]*ry
               + f.slope[2][k]*rz;
+        };
+
+        // Eight at a time are a vector, nine would be taken one by one
+        double q[nValues];
+        #pragma GCC unroll 1
+        for (int k = 0; k < 8; ++k)
+        {
+            q[k] = at(k);
         }
+        q[8] = at(8);
         for (int k = 0; k < 3; ++k)
         {
             g.u[k][i] = q[k];
