@@ -285,11 +285,10 @@ void impact::sweptGrid::laterRuns
     const level& l,
     std::int64_t x,
     std::int64_t y,
-    std::int64_t z,
-    std::vector<run>& runs
+    std::int64_t z
 ) const
 {
-    runs.clear();
+    runs_.clear();
     const auto take = [&]
     (
         std::int32_t first,
@@ -302,7 +301,7 @@ void impact::sweptGrid::laterRuns
         const std::int32_t begin = cellStart_[first], end = cellStart_[last];
         if (begin < end)
         {
-            runs.push_back({begin, end, kx, ky, kz});
+            runs_.push_back({begin, end, kx, ky, kz});
         }
     };
     const range rx = around(l, 0, x);
