@@ -49,7 +49,12 @@ void Foam::BlockMotion<CloudType, Force>::release(const int i)
 
 template<class CloudType, class Force>
 typename Foam::BlockMotion<CloudType, Force>::outcome
-Foam::BlockMotion<CloudType, Force>::alone(const int i)
+Foam::BlockMotion<CloudType, Force>::alone
+(
+    const int i,
+    const scalar hMax,
+    const scalar hTry
+)
 {
     const flyer& f = flyers_[i];
     force_.sphere(parcels_.d[f.at], parcels_.rho[f.at]);
@@ -60,8 +65,8 @@ Foam::BlockMotion<CloudType, Force>::alone(const int i)
         begin(i),
         impact::mag(force_.here().u),
         impact::mag(force_.here().spin),
-        block_.hMax[i],
-        block_.hTry[i],
+        hMax,
+        hTry,
         max(stepToFace::maxForces - f.nForces - stepToFace::kept, label(3))
     );
 }
@@ -111,7 +116,9 @@ void Foam::BlockMotion<CloudType, Force>::follow(const int i)
     flyer& f = flyers_[i];
     const bool accepted = block_.accepted[i] > 0;
     const outcome o =
-        accepted ? block_.template outcome<State>(i) : alone(i);
+        accepted
+      ? block_.template outcome<State>(i)
+      : alone(i, block_.hMax[i], block_.hTry[i]);
     const State state(begin(i));
     impact::vector3 x(impact::motionLanes::of(block_.now.x, i));
     State end = o.state;
@@ -140,15 +147,28 @@ void Foam::BlockMotion<CloudType, Force>::follow(const int i)
         return;
     }
 
+    auto& statistics = cloud_.statistics();
+    ++statistics.nSteps;
+    statistics.nForces += o.nForce;
+    statistics.nForced += o.forced;
+    f.nForces += o.nForce;
+
     const scalar left = remaining(f);
     scalar hTry = o.hNext;
     scalar t = tau*o.h;
     if (tau < 1)
     {
+        // A parabola where that is accurate, another step where not
         if (!stepToFace::onParabola(motion_, state, o, tau, end))
         {
-            f.over = true;
-            return;
+            const outcome again = alone(i, t, t);
+            statistics.nForces += again.nForce;
+            statistics.nForced += again.forced && !o.forced;
+            f.nForces += again.nForce;
+            hTry = again.hNext;
+            end = again.state;
+            place = again.h < t ? -1 : place;
+            t = again.h;
         }
         end.x = impact::multiply(moving_, end.x);
     }
@@ -158,12 +178,6 @@ void Foam::BlockMotion<CloudType, Force>::follow(const int i)
         stepToFace::ontoFace(cells_, place, moving_, state, o, x, end, t);
     }
     impact::motionLanes::set(block_.now.x, i, x);
-    auto& statistics = cloud_.statistics();
-    ++statistics.nSteps;
-    statistics.nForces += o.nForce;
-    statistics.nForced += o.forced;
-    f.nForces += o.nForce;
-
     vector U = fromCore(end.v);
     meshTools::constrainDirection(cells_.mesh(), cells_.mesh().solutionD(), U);
     impact::motionLanes::set(block_.now.v, i, toCore(U));
