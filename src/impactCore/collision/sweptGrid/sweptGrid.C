@@ -289,19 +289,11 @@ void impact::sweptGrid::laterRuns
 ) const
 {
     runs_.clear();
-    const auto take = [&]
-    (
-        std::int32_t first,
-        std::int32_t last,
-        std::int64_t kx,
-        std::int64_t ky,
-        std::int64_t kz
-    )
+    const auto take = [&](const run& r)
     {
-        const std::int32_t begin = cellStart_[first], end = cellStart_[last];
-        if (begin < end)
+        if (r.begin < r.end)
         {
-            runs_.push_back({begin, end, kx, ky, kz});
+            runs_.push_back(r);
         }
     };
     const range rx = around(l, 0, x);
