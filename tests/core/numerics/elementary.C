@@ -46,6 +46,22 @@ TEST(elementary, agreesWithTheMathematicsLibrary)
 }
 
 
+TEST(elementary, takesCubeRoots)
+{
+    counterRandom rnd(3);
+    for (int i = 0; i < 200000; ++i)
+    {
+        const double x =
+            i % 2 ? std::exp(1200*(rnd.uniform() - 0.5)) : 8*rnd.uniform();
+        const double exact = std::cbrt(x);
+        EXPECT_NEAR(cubeRoot(x), exact, 5e-16*exact);
+    }
+    EXPECT_EQ(cubeRoot(1), 1);
+    EXPECT_EQ(cubeRoot(8), 2);
+    EXPECT_LT(cubeRoot(0), 1.1e-100);
+}
+
+
 TEST(elementary, takesLogarithms)
 {
     counterRandom rnd(2);
