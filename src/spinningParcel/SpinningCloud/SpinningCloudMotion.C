@@ -10,6 +10,8 @@
 #include "SphereDragForce.H"
 #include "sphereDrag.H"
 
+#include <limits>
+
 // * * * * * * * * * * * * * * * * Local Classes * * * * * * * * * * * * * * //
 
 template<class CloudType>
@@ -341,7 +343,15 @@ void Foam::SpinningCloud<CloudType>::writeFields() const
     }
 
     // Coordinates round off where a parcel is: with these a run that goes on
-    // from here is the same to the last bit
+    // from here is the same to the last bit, if all bits are written
+    const bool exact =
+        this->db().time().writeFormat() == IOstream::BINARY
+     || IOstream::defaultPrecision()
+     >= unsigned(std::numeric_limits<scalar>::max_digits10);
+    if (!exact)
+    {
+        return;
+    }
     const label n = this->size();
     {
         IOField<vector> x
