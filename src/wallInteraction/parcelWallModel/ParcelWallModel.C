@@ -294,7 +294,11 @@ Foam::ParcelWallModel<CloudType>::ParcelWallModel
             "rotation", true
         )
     ),
-    reduced_(owner.pMesh().nSolutionD() < 3),
+    reduced_
+    (
+        keepsToSolvedDirections<parcelType>::value
+     && owner.pMesh().nSolutionD() < 3
+    ),
     keepSpeed_
     (
         getWord

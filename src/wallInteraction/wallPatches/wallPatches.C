@@ -6,6 +6,52 @@
 #include "checked.H"
 #include "dictionaryEntry.H"
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::wallPatches::readItems(const dictionary& dict)
+{
+    if (dict.isDict("patches"))
+    {
+        for (const entry& item : dict.subDict("patches"))
+        {
+            names_.append(item.keyword());
+            settings_.append(new dictionary(item.dict()));
+        }
+        return;
+    }
+
+    ITstream& is = dict.lookup("patches");
+    is.readBegin("patches");
+    token next(is);
+    while (next != token::END_LIST)
+    {
+        is.putBack(next);
+        const dictionaryEntry item(dict, is);
+        names_.append(item.keyword());
+        settings_.append(new dictionary(item.dict()));
+
+        // Read from the list's stream, it has a path of its own
+        rename(settings_.last(), dict.name() + '.' + item.keyword());
+        is.read(next);
+    }
+}
+
+
+void Foam::wallPatches::rename(dictionary& dict, const fileName& name)
+{
+    dict.name() = name;
+    for (entry& e : dict)
+    {
+        if (e.isDict())
+        {
+            rename(e.dict(), name + '.' + e.keyword());
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
 Foam::wallPatches::wallPatches
 (
     const dictionary& dict,
@@ -14,6 +60,7 @@ Foam::wallPatches::wallPatches
     bool complete
 )
 :
+    names_(),
     settings_(),
     ofPatch_(boundary.nNonProcessor(), -1)
 {
@@ -27,20 +74,10 @@ Foam::wallPatches::wallPatches
         }
     }
 
-    ITstream& is = dict.lookup("patches");
-    is.readBegin("patches");
-    token next(is);
-    while (next != token::END_LIST)
+    readItems(dict);
+    forAll(settings_, number)
     {
-        is.putBack(next);
-        const dictionaryEntry item(dict, is);
-        const keyType& name = item.keyword();
-        const label number = settings_.size();
-        settings_.append(new dictionary(item.dict()));
-
-        // Read from the list's stream, it has a path of its own
-        settings_[number].name() = dict.name() + '.' + name;
-
+        const keyType& name = names_[number];
         bool found = false;
         for (const label patchi : boundary.indices(name, true))
         {
@@ -78,7 +115,6 @@ Foam::wallPatches::wallPatches
         {
             unknownWord(dict, "patches", name, valid);
         }
-        is.read(next);
     }
     if (settings_.empty())
     {
