@@ -42,7 +42,7 @@ def read_solids(case, time):
     folder = os.path.join(case, time, "lagrangian/solids")
 
     fields = dict(zip(("x", "cell"), positions(folder)))
-    for name in ("U", "T", "nParticle", "d", "group"):
+    for name in ("U", "T", "nParticle", "d", "group", "origProcId"):
         fields[name] = read_field(os.path.join(folder, name))
     return fields
 

@@ -53,7 +53,8 @@ public:
         const label i,
         const label boundaryFacei,
         const impact::vector3& normal,
-        const label nHits
+        const label nHits,
+        const scalar
     );
 };
 
@@ -63,7 +64,8 @@ bool Foam::dsmcGas::boundaries::hitWall
     const label i,
     const label boundaryFacei,
     const impact::vector3& n,
-    const label nHits
+    const label nHits,
+    const scalar
 )
 {
     using namespace impact;

@@ -90,7 +90,8 @@ void Foam::particleArray<Payload>::walk
                 y_[i] = x.y;
                 z_[i] = x.z;
                 cell_[i] = celli;
-                if (!boundary.hitWall(i, facei, cells_.normal(place), nHits++))
+                const impact::vector3 n = cells_.normal(place);
+                if (!boundary.hitWall(i, facei, n, nHits++, time))
                 {
                     cell_[i] = -1;
                     return;

@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "solidParticles.H"
+#include "solidWalls.H"
 #include "checked.H"
 #include "coreVector.H"
 #include "presentFile.H"
@@ -23,14 +24,6 @@ class Foam::solidParticles::boundaries
     solidFields* const fields_;
     const volVectorField* const boundaryU_;
 
-    void count(tally& t, const label i) const
-    {
-        const solidData& data = solids_.particles_.payload();
-        ++t.simulators;
-        t.number += data.nParticle[i];
-        t.mass += data.nParticle[i]*solids_.groups_[data.group[i]].mass;
-    }
-
 
 public:
 
@@ -47,7 +40,7 @@ public:
 
     void leave(const label i, const label boundaryFacei)
     {
-        count(solids_.tally_[left], i);
+        solids_.count(solids_.tally_[left], i, 1);
         if (solids_.interface_.valid())
         {
             const solidArray& particles = solids_.particles_;
@@ -69,51 +62,62 @@ public:
         const label i,
         const label boundaryFacei,
         const impact::vector3& n,
-        const label
+        const label,
+        const scalar timeLeft
     )
     {
         solidArray& particles = solids_.particles_;
         const solidData& data = particles.payload();
         const auto& face = solids_.cells_.boundary()[boundaryFacei];
         const label group = data.group[i];
-        const impact::vector3 wall =
+        solidWalls::encounter e =
+        {
+            face.patch,
+            face.patchFace,
+            solids_.cells_.meshCell(particles.cell(i)),
+            fromCore(n),
             boundaryU_
-          ? toCore
-            (
-                boundaryU_->boundaryField()[face.patch][face.patchFace]
-            )
-          : impact::vector3{0, 0, 0};
-        const impact::vector3 relative = particles.velocity(i) - wall;
+          ? boundaryU_->boundaryField()[face.patch][face.patchFace]
+          : vector(Zero),
+            1 - timeLeft/solids_.mesh_.time().deltaTValue(),
+            fromCore(particles.position(i)),
+            fromCore(particles.velocity(i)),
+            solids_.groups_[group].diameter,
+            solids_.density_,
+            data.nParticle[i],
+            data.T[i],
+            data.origProc[i],
+            data.origId[i]
+        };
         ++solids_.hits_;
         if (fields_)
         {
             fields_->addHit
             (
                 boundaryFacei, group, data.nParticle[i],
-                dot(relative, relative), data.T[i]
+                magSqr(e.U - e.Uw), data.T[i]
             );
         }
 
-        const solidWalls::kind what = solids_.walls_->kindOf(face.patch);
-        if (what == solidWalls::stick)
+        switch (solids_.walls_->meet(e))
         {
-            count(solids_.tally_[stuck], i);
-            count(solids_.deposits_[face.patch], i);
-            return false;
+            case solidWalls::stays:
+            {
+                solids_.count(solids_.tally_[stuck], i, 1);
+                solids_.count(solids_.deposits_[face.patch], i, 1);
+                return false;
+            }
+            case solidWalls::leaves:
+            {
+                solids_.count(solids_.tally_[escaped], i, 1);
+                return false;
+            }
+            case solidWalls::rebounds:
+            {
+                break;
+            }
         }
-        if (what == solidWalls::escape)
-        {
-            count(solids_.tally_[escaped], i);
-            return false;
-        }
-        particles.setVelocity
-        (
-            i,
-            wall + solids_.walls_->rebound
-            (
-                face.patch, n, 0.5*solids_.groups_[group].diameter, relative
-            )
-        );
+        particles.setVelocity(i, toCore(e.U));
         return true;
     }
 };
@@ -168,6 +172,70 @@ impact::cellCollisions::molecules Foam::solidParticles::moleculesOf
         molecules.payload().Ei.data() + first,
         molecules.payload().typeId.data() + first
     };
+}
+
+
+void Foam::solidParticles::count
+(
+    tally& t,
+    const label i,
+    const label sign
+) const
+{
+    const solidData& data = particles_.payload();
+    t.simulators += sign;
+    t.number += sign*data.nParticle[i];
+    t.mass += sign*data.nParticle[i]*groups_[data.group[i]].mass;
+}
+
+
+void Foam::solidParticles::name(const label first)
+{
+    solidData& data = particles_.payload();
+    for (label i = first; i < particles_.size(); ++i)
+    {
+        data.origProc[i] = Pstream::myProcNo();
+        data.origId[i] = nNamed_++;
+    }
+}
+
+
+void Foam::solidParticles::takeBack
+(
+    const std::vector<std::unique_ptr<solidParcel>>& released
+)
+{
+    solidData& data = particles_.payload();
+    for (const auto& p : released)
+    {
+        const impact::vector3 x = toCore(p->position());
+        const label i = particles_.append
+        (
+            cells_.locate(p->cell(), x), x, toCore(p->U())
+        );
+        data.T[i] = p->temperature();
+        data.nParticle[i] = p->nParticle();
+        data.origProc[i] = p->origProc();
+        data.origId[i] = p->origId();
+
+        // Each group is a class of its own on the wall
+        label group = 0;
+        forAll(groups_, g)
+        {
+            const auto off = [&](const label k)
+            {
+                return mag(groups_[k].diameter - p->d());
+            };
+            group = off(g) < off(group) ? g : group;
+        }
+        data.group[i] = group;
+        count(tally_[stuck], i, -1);
+        count(deposits_[mesh_.boundaryMesh().whichPatch(p->face())], i, -1);
+    }
+    if (released.size())
+    {
+        particles_.update();
+    }
 }
 
 
@@ -320,7 +388,9 @@ Foam::solidParticles::solidParticles
         )
     ),
     seed_(0),
+    density_(0),
     particles_(cells),
+    nNamed_(0),
     nHolding_(0),
     reportEvery_
     (
@@ -343,7 +413,8 @@ Foam::solidParticles::solidParticles
         {
             "material", "groups", "accommodation", "exchange", "deflection",
             "knudsenCorrection", "realPerSimulator", "fills", "inflows",
-            "walls", "sampling", "interface", "reportEvery", "randomSeed"
+            "walls", "cloudFunctions", "sampling", "interface",
+            "reportEvery", "randomSeed"
         }
     );
     seed_ = getNumber<label>(properties_, "randomSeed", validRange::seed, 1);
@@ -351,10 +422,10 @@ Foam::solidParticles::solidParticles
     Info<< "Solid particles" << nl;
     readGroups();
     readExchange();
-    walls_.reset(new solidWalls(properties_, mesh));
     inflow_.reset(new solidInflow(properties_, cells, gas, groups_));
     readParticles();
     readTallies();
+    readWalls();
     nStart_ = returnReduce(particles_.size(), sumOp<label>());
     for (label k = 0; k < nFates; ++k)
     {
@@ -393,6 +464,9 @@ Foam::solidParticles::solidParticles
 }
 
 
+Foam::solidParticles::~solidParticles() = default;
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::solidParticles::move()
@@ -405,18 +479,16 @@ void Foam::solidParticles::move()
         particles_, deltaT, seed_, stream(impact::drawPurpose::entering),
         mesh_.time().timeIndex()
     );
-    const solidData& data = particles_.payload();
+    name(before);
     for (label i = before; i < particles_.size(); ++i)
     {
-        tally& t = tally_[entered];
-        ++t.simulators;
-        t.number += data.nParticle[i];
-        t.mass += data.nParticle[i]*groups_[data.group[i]].mass;
+        count(tally_[entered], i, 1);
     }
     if (interface_.valid())
     {
         interface_->beginStep();
     }
+    cloud_->beginStep();
     boundaries boundary(*this);
     particles_.move(deltaT, boundary);
 }
@@ -457,6 +529,7 @@ void Foam::solidParticles::record()
             fields_->update();
         }
     }
+    takeBack(cloud_->endStep(particles_.size(), reportNow()));
     if (reportNow())
     {
         report();

@@ -3,11 +3,13 @@
 \*---------------------------------------------------------------------------*/
 
 #include "solidParticles.H"
+#include "solidWalls.H"
 #include "checked.H"
 #include "coreVector.H"
 #include "lagrangianFile.H"
 #include "presentFile.H"
 #include "sizeGroups.H"
+#include "wallLayer.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -81,9 +83,10 @@ void Foam::solidParticles::readExchange()
     typedef impact::solidExchange law;
     const dictionary& material = properties_.subDict("material");
     refuseOthers(material, {"density", "specificHeat"});
+    density_ = getNumber(material, "density", validRange::density);
     const law::material m =
     {
-        getNumber(material, "density", validRange::density),
+        density_,
         getNumber(material, "specificHeat", "(0, 1e9) J/(kg K)"),
         getNumber(properties_, "accommodation", validRange::share)
     };
@@ -229,6 +232,7 @@ void Foam::solidParticles::readParticles()
     if (!found)
     {
         inflow_->fill(particles_, seed_);
+        name(0);
     }
     const solidData& data = particles_.payload();
     for (label i = 0; i < particles_.size(); ++i)
@@ -247,11 +251,42 @@ void Foam::solidParticles::readParticles()
                 << ". Valid range: 0 <= group < " << groups_.size()
                 << ", nParticle > 0, T >= 0" << exit(FatalError);
         }
-        tally& t = tally_[initial];
-        ++t.simulators;
-        t.number += data.nParticle[i];
-        t.mass += data.nParticle[i]*groups_[data.group[i]].mass;
+        count(tally_[initial], i, 1);
+        if (data.origProc[i] != wallLayer::releasedProc)
+        {
+            nNamed_ = max(nNamed_, data.origId[i] + 1);
+        }
     }
+}
+
+
+void Foam::solidParticles::readWalls()
+{
+    cloud_.reset
+    (
+        new solidCloud
+        (
+            cloudName,
+            properties_,
+            mesh_,
+            gas_,
+            getNumber
+            (
+                properties_.subDict("material"), "specificHeat",
+                "(0, 1e9) J/(kg K)"
+            ),
+            particles_.size()
+        )
+    );
+    scalarList diameters;
+    for (const auto& group : groups_)
+    {
+        diameters.append(group.diameter);
+    }
+    walls_.reset
+    (
+        new solidWalls(properties_, cloud_(), diameters, label(seed_))
+    );
 }
 
 
@@ -299,6 +334,17 @@ void Foam::solidParticles::readTallies()
     }
     nLostBefore_ = balance - returnReduce(particles_.size(), sumOp<label>());
     hits_ = mine ? state.get<label>("hits") : 0;
+
+    // On as many processors as before each goes on with its own
+    const dictionary* named = state.findDict("named");
+    const bool same = named && named->size() == Pstream::nProcs();
+    for (const entry& e : named ? *named : dictionary::null)
+    {
+        if (!same || e.keyword() == processorName(Pstream::myProcNo()))
+        {
+            nNamed_ = max(nNamed_, named->get<label>(e.keyword()));
+        }
+    }
     const dictionary& deposits = state.subDict("deposits");
     for (const entry& e : deposits)
     {

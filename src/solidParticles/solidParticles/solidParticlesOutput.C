@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "solidParticles.H"
+#include "solidCloud.H"
 #include "coreVector.H"
 #include "lagrangianFile.H"
 #include "processorPolyPatch.H"
@@ -63,11 +64,9 @@ void Foam::solidParticles::report()
     sumOverProcessors(g.gas);
 
     tally now;
-    const solidData& data = particles_.payload();
     for (label i = 0; i < particles_.size(); ++i)
     {
-        now.number += data.nParticle[i];
-        now.mass += data.nParticle[i]*groups_[data.group[i]].mass;
+        count(now, i, 1);
     }
     now.simulators = returnReduce(particles_.size(), sumOp<label>());
     reduce(now.number, sumOp<scalar>());
@@ -200,6 +199,16 @@ void Foam::solidParticles::writeTallies() const
         }
     }
     state.add("deposits", deposits);
+    labelList counts(Pstream::nProcs());
+    counts[Pstream::myProcNo()] = nNamed_;
+    Pstream::gatherList(counts);
+    Pstream::scatterList(counts);
+    dictionary named;
+    forAll(counts, proci)
+    {
+        named.add(processorName(proci), counts[proci]);
+    }
+    state.add("named", named);
 
     // A restart goes on with the same bits, whatever writePrecision is
     const unsigned precision = IOstream::defaultPrecision(17);
@@ -295,6 +304,7 @@ bool Foam::solidParticles::writeObject(FOAM_COMPAT_WRITE_ARGS_UNUSED) const
         writeLedger();
     }
     writeTallies();
+    cloud_->writeProperties();
     if (fields_.valid())
     {
         fields_->writeState();

@@ -7,16 +7,14 @@
 #include "wallPolyPatch.H"
 #include "wordRes.H"
 
-Foam::solidWalls::solidWalls(const dictionary& dict, const polyMesh& mesh)
-:
-    kinds_(mesh.boundaryMesh().size(), specular),
-    lawOf_(mesh.boundaryMesh().size(), -1)
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::List<const Foam::dictionary*> Foam::solidWalls::settingsOf
+(
+    const dictionary& dict,
+    const polyBoundaryMesh& patches
+)
 {
-    const wordList types
-    {
-        "specular", "hardSphereWall", "semiEmpiricalRebound", "stick", "escape"
-    };
-    const polyBoundaryMesh& patches = mesh.boundaryMesh();
     wordList walls;
     for (const polyPatch& patch : patches)
     {
@@ -26,14 +24,13 @@ Foam::solidWalls::solidWalls(const dictionary& dict, const polyMesh& mesh)
         }
     }
 
-    const dictionary* block = findBlock(dict, "walls");
-    const dictionary own(block ? *block : dictionary());
+    const dictionary* own = findBlock(dict, "walls");
     List<const dictionary*> settings(patches.size(), nullptr);
     for (const bool names : {false, true})
     {
-        for (const entry& e : own)
+        for (const entry& e : own ? *own : dictionary::null)
         {
-            const dictionary& d = own.subDict(e.keyword());
+            const dictionary& d = own->subDict(e.keyword());
             bool found = false;
             forAll(patches, patchi)
             {
@@ -53,69 +50,187 @@ Foam::solidWalls::solidWalls(const dictionary& dict, const polyMesh& mesh)
             }
             if (!found)
             {
-                unknownWord(own, "wall", e.keyword(), walls);
+                unknownWord(*own, "wall", e.keyword(), walls);
             }
         }
     }
-
-    forAll(patches, patchi)
+    for (const word& name : walls)
     {
-        if (!walls.found(patches[patchi].name()))
+        if (!settings[patches.findPatchID(name)])
+        {
+            FatalIOErrorInFunction(dict)
+                << "No entry of walls is for the wall " << name << nl
+                << "Walls: " << flatOutput(walls) << exit(FatalIOError);
+        }
+    }
+    return settings;
+}
+
+
+void Foam::solidWalls::addModel
+(
+    const word& model,
+    const wordList& types,
+    const dictionary& dict,
+    const List<const dictionary*>& settings,
+    const scalarList& diameters,
+    const label seed
+)
+{
+    dictionary patches;
+    forAll(settings, patchi)
+    {
+        const word type
+        (
+            settings[patchi] ? settings[patchi]->get<word>("type") : word()
+        );
+        if (!types.found(type))
         {
             continue;
         }
-        if (!settings[patchi])
+        modelOf_[patchi] = models_.size();
+        isOpen_[patchi] = type == "escape";
+        dictionary own(*settings[patchi]);
+        own.remove("type");
+        if (type != model)
         {
-            FatalIOErrorInFunction(dict)
-                << "No entry of walls is for the wall "
-                << patches[patchi].name() << nl
-                << "Walls: " << flatOutput(walls) << exit(FatalIOError);
+            refuseOthers(*settings[patchi], {"type"});
+            own.add("type", word(type == "stick" ? "capture" : type));
         }
-        const dictionary& d = *settings[patchi];
-        kinds_[patchi] =
-            kind(types.find(getWordOf(d, "type", "", types)));
-        if (kinds_[patchi] == hardSphere)
+        if (type == "specular")
         {
-            lawOf_[patchi] = label(hardSpheres_.size());
-            hardSpheres_.push_back(reboundEntries::hardSphere(d));
+            own.set("type", word("rebound"));
+            own.add("restitution", 1);
+            own.add("friction", 0);
         }
-        else if (kinds_[patchi] == semiEmpirical)
+        patches.add(cloud_.pMesh().boundaryMesh()[patchi].name(), own);
+    }
+    if (patches.empty())
+    {
+        return;
+    }
+
+    // As the dictionary of a cloud has it
+    dictionary coeffs;
+    coeffs.add("patches", patches);
+    if (model == "nonSphericalRebound" || model == "jkrAdhesion")
+    {
+        coeffs.add("seed", seed);
+    }
+    if (model == "jkrAdhesion")
+    {
+        coeffs.add("sizeClasses", between(diameters, dict));
+    }
+
+    dictionary all;
+    all.add("patchInteractionModel", model);
+    all.add(word(model + "Coeffs"), coeffs);
+    all.subDict(model + "Coeffs").name() = dict.name() + ".walls";
+    models_.append(PatchInteractionModel<solidCloud>::New(all, cloud_));
+}
+
+
+Foam::scalarList Foam::solidWalls::between
+(
+    const scalarList& diameters,
+    const dictionary& dict
+)
+{
+    scalarList sizes(diameters);
+    Foam::sort(sizes);
+    scalarList bounds;
+    for (label i = 1; i < sizes.size(); ++i)
+    {
+        if (sizes[i] > sizes[i - 1])
         {
-            lawOf_[patchi] = label(semiEmpiricals_.size());
-            semiEmpiricals_.push_back(reboundEntries::semiEmpirical(d));
+            bounds.append(sqrt(sizes[i]*sizes[i - 1]));
         }
-        else
+    }
+    if (bounds.size() > 15)
+    {
+        FatalIOErrorInFunction(dict)
+            << "A wall of type jkrAdhesion takes particles of 16 sizes at"
+            << " most, groups has " << bounds.size() + 1
+            << exit(FatalIOError);
+    }
+    return bounds;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::solidWalls::solidWalls
+(
+    const dictionary& dict,
+    solidCloud& cloud,
+    const scalarList& diameters,
+    const label seed
+)
+:
+    cloud_(cloud),
+    models_(),
+    modelOf_(cloud.pMesh().boundaryMesh().size(), -1),
+    isOpen_(modelOf_.size(), false),
+    parcel_(cloud.pMesh())
+{
+    const List<const dictionary*> settings
+    (
+        settingsOf(dict, cloud.pMesh().boundaryMesh())
+    );
+    const wordList types
+    {
+        "specular", "hardSphereWall", "semiEmpiricalRebound",
+        "nonSphericalRebound", "jkrAdhesion", "stick", "escape"
+    };
+    for (const dictionary* d : settings)
+    {
+        if (d)
         {
-            refuseOthers(d, {"type"});
+            getWordOf(*d, "type", "", types);
         }
+    }
+    // The three that are no models are cases of the first one
+    addModel
+    (
+        "hardSphereWall", {"hardSphereWall", "specular", "stick", "escape"},
+        dict, settings, diameters, seed
+    );
+    for (const label i : {2, 3, 4})
+    {
+        addModel(types[i], {types[i]}, dict, settings, diameters, seed);
     }
 }
 
 
-impact::vector3 Foam::solidWalls::rebound
-(
-    const label patchi,
-    const impact::vector3& n,
-    const scalar radius,
-    const impact::vector3& velocity
-) const
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::solidWalls::fate Foam::solidWalls::meet(encounter& e)
 {
-    const kind what = kinds_[patchi];
-    if (what == specular)
+    const polyPatch& patch = cloud_.pMesh().boundaryMesh()[e.patch];
+    cloud_.setWall(e.n, e.Uw);
+    parcel_.active(true);
+    parcel_.cell() = e.cell;
+    parcel_.face() = patch.start() + e.patchFace;
+    parcel_.stepFraction() = e.fraction;
+    parcel_.position() = e.position;
+    parcel_.U() = e.U;
+    parcel_.d() = e.d;
+    parcel_.rho() = e.rho;
+    parcel_.nParticle() = e.nParticle;
+    parcel_.temperature() = e.T;
+    parcel_.origProc() = e.origProc;
+    parcel_.origId() = e.origId;
+
+    bool stays = true;
+    models_[modelOf_[e.patch]].correct(parcel_, patch, stays);
+    if (!stays)
     {
-        return velocity - 2*dot(velocity, n)*n;
+        return isOpen_[e.patch] ? leaves : fate::stays;
     }
 
-    impact::sphereState s = {velocity, {0, 0, 0}};
-    if (what == hardSphere)
-    {
-        hardSpheres_[lawOf_[patchi]].rebound(-n, radius, s);
-    }
-    else
-    {
-        semiEmpiricals_[lawOf_[patchi]].rebound(-n, radius, s);
-    }
-    const scalar minSpeed = 1e-9*mag(s.V);
-    const scalar away = -dot(s.V, n);
-    return away < minSpeed ? s.V - (minSpeed - away)*n : s.V;
+    const vector V(parcel_.U() - e.Uw);
+    const scalar least = 1e-9*mag(V);
+    const scalar away = -(V & e.n);
+    e.U = away < least ? parcel_.U() - (least - away)*e.n : parcel_.U();
+    return rebounds;
 }
