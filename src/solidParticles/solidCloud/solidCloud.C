@@ -73,10 +73,7 @@ Foam::vector Foam::solidCloud::gasVelocity::operator[](const label celli) const
 
 void Foam::solidCloud::beginStep()
 {
-    #if OPENFOAM >= 2006
-    const solidParcel::trackingData td(*this);
-    #endif
-    functions_->preEvolve(FOAM_COMPAT_EVOLVE_PASS);
+    foamCompat::preEvolve(functions_(), *this);
 }
 
 
@@ -89,10 +86,7 @@ std::vector<std::unique_ptr<Foam::solidParcel>> Foam::solidCloud::endStep
     nFlying_ = nFlying;
     {
         const withheldOutput quiet(!report);
-        #if OPENFOAM >= 2006
-        const solidParcel::trackingData td(*this);
-        #endif
-        functions_->postEvolve(FOAM_COMPAT_EVOLVE_PASS);
+        foamCompat::postEvolve(functions_(), *this);
     }
     std::vector<std::unique_ptr<solidParcel>> released;
     released.swap(released_);
