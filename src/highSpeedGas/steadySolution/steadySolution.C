@@ -173,7 +173,7 @@ bool Foam::steadySolution::converge(NewtonKrylov& newton)
         // Where a shock runs across the cells as it likes, one of its modes
         // may hardly decay, and the linear equations are out of reach at the
         // Courant numbers that would pay, those beyond the sweeps' own. The
-        // sweeps damp that mode, at a hundredth of the cost of such a step.
+        // sweeps damp that mode, at a sixtieth of the cost of such a step.
         if (!newton.solved() && Co <= settings_.maxCo)
         {
             if (++nUnsolved == maxUnsolved)

@@ -24,6 +24,9 @@ class Foam::solidParticles::boundaries
     solidFields* const fields_;
     const volVectorField* const boundaryU_;
 
+    //- The one that meets a wall
+    solidParcel parcel_;
+
 
 public:
 
@@ -35,12 +38,13 @@ public:
             solids.fields_.valid() && solids.fields_->samplingNow()
           ? &solids.fields_() : nullptr
         ),
-        boundaryU_(solids.gas_.boundaryU())
+        boundaryU_(solids.gas_.boundaryU()),
+        parcel_(solids.mesh_)
     {}
 
     void leave(const label i, const label boundaryFacei)
     {
-        solids_.count(solids_.tally_[left], i, 1);
+        solids_.count(solids_.tally_[left], i);
         if (solids_.interface_.valid())
         {
             const solidArray& particles = solids_.particles_;
@@ -70,46 +74,47 @@ public:
         const solidData& data = particles.payload();
         const auto& face = solids_.cells_.boundary()[boundaryFacei];
         const label group = data.group[i];
-        solidWalls::encounter e =
-        {
-            face.patch,
-            face.patchFace,
-            solids_.cells_.meshCell(particles.cell(i)),
-            fromCore(n),
+        const vector Uw
+        (
             boundaryU_
           ? boundaryU_->boundaryField()[face.patch][face.patchFace]
-          : vector(Zero),
-            1 - timeLeft/solids_.mesh_.time().deltaTValue(),
-            fromCore(particles.position(i)),
-            fromCore(particles.velocity(i)),
-            solids_.groups_[group].diameter,
-            solids_.density_,
-            data.nParticle[i],
-            data.T[i],
-            data.origProc[i],
-            data.origId[i]
-        };
+          : vector(Zero)
+        );
+        const polyPatch& patch = solids_.mesh_.boundaryMesh()[face.patch];
+        parcel_.active(true);
+        parcel_.cell() = solids_.cells_.meshCell(particles.cell(i));
+        parcel_.face() = patch.start() + face.patchFace;
+        parcel_.stepFraction() =
+            1 - timeLeft/solids_.mesh_.time().deltaTValue();
+        parcel_.position() = fromCore(particles.position(i));
+        parcel_.U() = fromCore(particles.velocity(i));
+        parcel_.d() = solids_.groups_[group].diameter;
+        parcel_.rho() = solids_.material_.density;
+        parcel_.nParticle() = data.nParticle[i];
+        parcel_.temperature() = data.T[i];
+        parcel_.origProc() = data.origProc[i];
+        parcel_.origId() = data.origId[i];
         ++solids_.hits_;
         if (fields_)
         {
             fields_->addHit
             (
                 boundaryFacei, group, data.nParticle[i],
-                magSqr(e.U - e.Uw), data.T[i]
+                magSqr(parcel_.U() - Uw), data.T[i]
             );
         }
 
-        switch (solids_.walls_->meet(e))
+        switch (solids_.walls_->meet(parcel_, face.patch, fromCore(n), Uw))
         {
             case solidWalls::stays:
             {
-                solids_.count(solids_.tally_[stuck], i, 1);
-                solids_.count(solids_.deposits_[face.patch], i, 1);
+                solids_.count(solids_.tally_[stuck], i);
+                solids_.count(solids_.deposits_[face.patch], i);
                 return false;
             }
             case solidWalls::leaves:
             {
-                solids_.count(solids_.tally_[escaped], i, 1);
+                solids_.count(solids_.tally_[escaped], i);
                 return false;
             }
             case solidWalls::rebounds:
@@ -117,7 +122,7 @@ public:
                 break;
             }
         }
-        particles.setVelocity(i, toCore(e.U));
+        particles.setVelocity(i, toCore(parcel_.U()));
         return true;
     }
 };
@@ -388,7 +393,7 @@ Foam::solidParticles::solidParticles
         )
     ),
     seed_(0),
-    density_(0),
+    material_{},
     particles_(cells),
     nNamed_(0),
     nHolding_(0),
@@ -482,7 +487,7 @@ void Foam::solidParticles::move()
     name(before);
     for (label i = before; i < particles_.size(); ++i)
     {
-        count(tally_[entered], i, 1);
+        count(tally_[entered], i);
     }
     if (interface_.valid())
     {

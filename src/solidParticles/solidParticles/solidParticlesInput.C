@@ -83,10 +83,9 @@ void Foam::solidParticles::readExchange()
     typedef impact::solidExchange law;
     const dictionary& material = properties_.subDict("material");
     refuseOthers(material, {"density", "specificHeat"});
-    density_ = getNumber(material, "density", validRange::density);
-    const law::material m =
+    material_ =
     {
-        density_,
+        getNumber(material, "density", validRange::density),
         getNumber(material, "specificHeat", "(0, 1e9) J/(kg K)"),
         getNumber(properties_, "accommodation", validRange::share)
     };
@@ -112,7 +111,7 @@ void Foam::solidParticles::readExchange()
             (
                 new law
                 (
-                    gas_.species(), m, diameters,
+                    gas_.species(), material_, diameters,
                     mode == "perCell" ? law::mode::perCell
                   : mode == "perCollision" ? law::mode::perCollision
                   : law::mode::none,
@@ -251,7 +250,7 @@ void Foam::solidParticles::readParticles()
                 << ". Valid range: 0 <= group < " << groups_.size()
                 << ", nParticle > 0, T >= 0" << exit(FatalError);
         }
-        count(tally_[initial], i, 1);
+        count(tally_[initial], i);
         if (data.origProc[i] != wallLayer::releasedProc)
         {
             nNamed_ = max(nNamed_, data.origId[i] + 1);
@@ -270,11 +269,7 @@ void Foam::solidParticles::readWalls()
             properties_,
             mesh_,
             gas_,
-            getNumber
-            (
-                properties_.subDict("material"), "specificHeat",
-                "(0, 1e9) J/(kg K)"
-            ),
+            material_.specificHeat,
             particles_.size()
         )
     );

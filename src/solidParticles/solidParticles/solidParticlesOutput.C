@@ -66,7 +66,7 @@ void Foam::solidParticles::report()
     tally now;
     for (label i = 0; i < particles_.size(); ++i)
     {
-        count(now, i, 1);
+        count(now, i);
     }
     now.simulators = returnReduce(particles_.size(), sumOp<label>());
     reduce(now.number, sumOp<scalar>());

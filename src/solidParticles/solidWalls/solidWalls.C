@@ -170,8 +170,7 @@ Foam::solidWalls::solidWalls
     cloud_(cloud),
     models_(),
     modelOf_(cloud.pMesh().boundaryMesh().size(), -1),
-    isOpen_(modelOf_.size(), false),
-    parcel_(cloud.pMesh())
+    isOpen_(modelOf_.size(), false)
 {
     const List<const dictionary*> settings
     (
@@ -204,33 +203,31 @@ Foam::solidWalls::solidWalls
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::solidWalls::fate Foam::solidWalls::meet(encounter& e)
+Foam::solidWalls::fate Foam::solidWalls::meet
+(
+    solidParcel& p,
+    const label patchi,
+    const vector& n,
+    const vector& Uw
+)
 {
-    const polyPatch& patch = cloud_.pMesh().boundaryMesh()[e.patch];
-    cloud_.setWall(e.n, e.Uw);
-    parcel_.active(true);
-    parcel_.cell() = e.cell;
-    parcel_.face() = patch.start() + e.patchFace;
-    parcel_.stepFraction() = e.fraction;
-    parcel_.position() = e.position;
-    parcel_.U() = e.U;
-    parcel_.d() = e.d;
-    parcel_.rho() = e.rho;
-    parcel_.nParticle() = e.nParticle;
-    parcel_.temperature() = e.T;
-    parcel_.origProc() = e.origProc;
-    parcel_.origId() = e.origId;
-
-    bool stays = true;
-    models_[modelOf_[e.patch]].correct(parcel_, patch, stays);
-    if (!stays)
+    cloud_.setWall(n, Uw);
+    bool keep = true;
+    models_[modelOf_[patchi]].correct
+    (
+        p, cloud_.pMesh().boundaryMesh()[patchi], keep
+    );
+    if (!keep)
     {
-        return isOpen_[e.patch] ? leaves : fate::stays;
+        return isOpen_[patchi] ? leaves : stays;
     }
 
-    const vector V(parcel_.U() - e.Uw);
+    const vector V(p.U() - Uw);
     const scalar least = 1e-9*mag(V);
-    const scalar away = -(V & e.n);
-    e.U = away < least ? parcel_.U() - (least - away)*e.n : parcel_.U();
+    const scalar away = -(V & n);
+    if (away < least)
+    {
+        p.U() -= (least - away)*n;
+    }
     return rebounds;
 }
