@@ -11,7 +11,7 @@ import numpy as np
 
 from caseTools import (complaint, copy_case, decompose, edit, must, read_field,
                        run, verdict)
-from adhesionCurve import (ALPHA, MODULUS, RHO, WORK, mass, restitution,
+from adhesionCurve import (ALPHA, MODULUS, WORK, mass, restitution,
                            separation_speed)
 from plate import (SOLVER, counters, injector, mesh, solve, write_plate)
 
