@@ -5,6 +5,7 @@
 #include "SpinningCloud.H"
 #include "checked.H"
 #include "MagnusForce.H"
+#include "StochasticDispersion.H"
 #include "stockCloudEntries.H"
 #include "wallImpacts.H"
 #include "withheldOutput.H"
@@ -87,7 +88,25 @@ void Foam::SpinningCloud<CloudType>::setModels()
         heatTransfer(this->particleProperties(), this->mesh());
     }
 
-    this->arrays().follow(rotation_, heat_.valid());
+    if (isA<StochasticDispersion<kinematicCloudType>>(this->dispersion()))
+    {
+        if (!embedded_.valid())
+        {
+            refuse
+            (
+                this->subModelProperties(), "dispersionModel",
+                this->subModelProperties().template get<word>
+                    ("dispersionModel"),
+                "none with motion stock, this with motion embeddedRK54"
+            );
+        }
+        eddies_.reset
+        (
+            new turbulentDispersion(this->U(), this->subModelProperties())
+        );
+    }
+
+    this->arrays().follow(rotation_, heat_.valid(), eddies_.valid());
     Info<< "Parcels of ";
     if (embedded_.valid())
     {
@@ -114,6 +133,24 @@ void Foam::SpinningCloud<CloudType>::setModels()
         forces.resize(kept);
         Info<< "Parcels without rotation: no torque"
             << (magnus ? " and no Magnus force" : "") << endl;
+    }
+}
+
+
+template<class CloudType>
+void Foam::SpinningCloud<CloudType>::readEddies()
+{
+    IOobject header(this->fieldIOobject(eddyNumber, IOobject::MUST_READ));
+    if (!eddies_.valid() || !header.typeHeaderOk<IOField<label>>(false))
+    {
+        return;
+    }
+    IOField<label> number(header, this->size() > 0);
+    this->checkFieldIOobject(*this, number);
+    label i = 0;
+    for (parcelType& p : *this)
+    {
+        p.nEddies() = number[i++];
     }
 }
 
@@ -206,6 +243,7 @@ Foam::SpinningCloud<CloudType>::SpinningCloud
     embedded_(nullptr),
     torque_(nullptr),
     heat_(nullptr),
+    eddies_(nullptr),
     gas_(nullptr),
     halfCurl_(nullptr),
     halfCurlInterp_(nullptr),
@@ -236,6 +274,7 @@ Foam::SpinningCloud<CloudType>::SpinningCloud
         if (readFields)
         {
             parcelType::readFields(*this);
+            readEddies();
             readFlights();
             this->deleteLostParticles();
             checkTemperatures();
@@ -266,6 +305,12 @@ Foam::SpinningCloud<CloudType>::SpinningCloud
     (
         c.heat_.valid()
       ? new heatTransfer(c.particleProperties(), c.mesh())
+      : nullptr
+    ),
+    eddies_
+    (
+        c.eddies_.valid()
+      ? new turbulentDispersion(c.U(), c.subModelProperties())
       : nullptr
     ),
     gas_(nullptr),
@@ -316,6 +361,7 @@ Foam::SpinningCloud<CloudType>::SpinningCloud
     embedded_(nullptr),
     torque_(nullptr),
     heat_(nullptr),
+    eddies_(nullptr),
     gas_(nullptr),
     halfCurl_(nullptr),
     halfCurlInterp_(nullptr),
@@ -500,5 +546,14 @@ void Foam::SpinningCloud<CloudType>::info()
             << "    Most forces between two faces   = " << maxForces << nl
             << "    uncontrolled, at rest           = " << sums[7] << ", "
             << sums[8] << nl;
+    }
+    if (eddies_.valid())
+    {
+        const scalar nEddies =
+            returnReduce(eddies_->nEddies(), sumOp<scalar>());
+        const scalar nTogether =
+            returnReduce(eddies_->nTogether(), sumOp<scalar>());
+        Info<< "    Eddies met, taken together      = " << nEddies << ", "
+            << 100*nTogether/max(nEddies, scalar(1)) << " %" << nl;
     }
 }

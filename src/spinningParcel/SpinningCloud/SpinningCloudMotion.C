@@ -6,7 +6,6 @@
 #include "GravityForce.H"
 #include "MagnusForce.H"
 #include "meshTools.H"
-#include "NoDispersion.H"
 #include "SphereDragForce.H"
 #include "sphereDrag.H"
 
@@ -86,14 +85,6 @@ void Foam::SpinningCloud<CloudType>::checkEmbedded()
         (
             solution, "cellValueSourceCorrection", "on",
             "off with motion embeddedRK54"
-        );
-    }
-    if (!isA<NoDispersion<kinematicCloudType>>(this->dispersion()))
-    {
-        refuse
-        (
-            this->subModelProperties(), "dispersionModel",
-            this->dispersion().modelType(), "none with motion embeddedRK54"
         );
     }
     if (this->mesh().dynamic())
@@ -186,6 +177,10 @@ void Foam::SpinningCloud<CloudType>::prepareMotion()
     const fluidThermo* thermo = heat_.valid() ? &heat_->thermo() : core.gas;
     const volScalarField* T = thermo ? &thermo->T() : nullptr;
     gas_->update(this->U(), halfCurl_, this->rho(), this->mu(), T);
+    if (eddies_.valid())
+    {
+        eddies_->update(this->solution().trackTime());
+    }
 
     // Ends and walls are all that these functions look at
     static const wordList ofWalls
@@ -276,6 +271,10 @@ void Foam::SpinningCloud<CloudType>::changeGas
             p.land(cells());
         }
         force.parcel(p, td);
+        if (eddies_.valid())
+        {
+            force.eddy(toCore(p.UTurb()));
+        }
         force.place(gas_->at(celli, store), x);
         State state;
         state.x = impact::vector3{0, 0, 0};
@@ -337,6 +336,19 @@ void Foam::SpinningCloud<CloudType>::writeFields() const
         particle::writeFields(*this);
     }
     parcelType::writeFields(*this);
+    if (eddies_.valid())
+    {
+        IOField<label> number
+        (
+            this->fieldIOobject(eddyNumber, IOobject::NO_READ), this->size()
+        );
+        label i = 0;
+        for (const parcelType& p : *this)
+        {
+            number[i++] = p.nEddies();
+        }
+        number.write(this->size() > 0);
+    }
     if (!embedded_.valid() || watched_)
     {
         return;

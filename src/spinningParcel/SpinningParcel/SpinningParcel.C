@@ -47,7 +47,8 @@ Foam::SpinningParcel<ParcelType>::SpinningParcel
     T_(p.T_),
     x_(p.x_),
     convexCell_(p.convexCell_),
-    nImpacts_(p.nImpacts_)
+    nImpacts_(p.nImpacts_),
+    nEddies_(p.nEddies_)
 {}
 
 
@@ -63,7 +64,8 @@ Foam::SpinningParcel<ParcelType>::SpinningParcel
     T_(p.T_),
     x_(p.x_),
     convexCell_(p.convexCell_),
-    nImpacts_(p.nImpacts_)
+    nImpacts_(p.nImpacts_),
+    nEddies_(p.nEddies_)
 {}
 
 
@@ -340,6 +342,7 @@ void Foam::SpinningParcel<ParcelType>::transformProperties(const tensor& T)
 {
     ParcelType::transformProperties(T);
     omega_ = det(T)*transform(T, omega_);
+    this->UTurb_ = transform(T, this->UTurb_);
 }
 
 

@@ -28,13 +28,14 @@ Foam::SpinningParcel<ParcelType>::SpinningParcel
     T_(0),
     x_{0, 0, 0},
     convexCell_(-1),
-    nImpacts_(0)
+    nImpacts_(0),
+    nEddies_(0)
 {
     if (readFields)
     {
         if (is.format() == IOstream::ASCII)
         {
-            is >> omega_ >> T_ >> nImpacts_;
+            is >> omega_ >> T_ >> nImpacts_ >> nEddies_;
         }
         else if (!is.checkLabelSize<>() || !is.checkScalarSize<>())
         {
@@ -42,6 +43,7 @@ Foam::SpinningParcel<ParcelType>::SpinningParcel
             readRawScalar(is, omega_.data(), vector::nComponents);
             readRawScalar(is, &T_);
             readRawLabel(is, &nImpacts_);
+            readRawLabel(is, &nEddies_);
             is.endRawRead();
         }
         else
@@ -49,6 +51,7 @@ Foam::SpinningParcel<ParcelType>::SpinningParcel
             is.read(reinterpret_cast<char*>(omega_.data()), sizeof(omega_));
             is.read(reinterpret_cast<char*>(&T_), sizeof(T_));
             is.read(reinterpret_cast<char*>(&nImpacts_), sizeof(nImpacts_));
+            is.read(reinterpret_cast<char*>(&nEddies_), sizeof(nEddies_));
         }
     }
     is.check(FUNCTION_NAME);
@@ -255,7 +258,8 @@ Foam::Ostream& Foam::operator<<
     {
         os  << token::SPACE << p.omega_
             << token::SPACE << p.T_
-            << token::SPACE << p.nImpacts_;
+            << token::SPACE << p.nImpacts_
+            << token::SPACE << p.nEddies_;
     }
     else
     {
@@ -269,6 +273,11 @@ Foam::Ostream& Foam::operator<<
         (
             reinterpret_cast<const char*>(&p.nImpacts_),
             sizeof(p.nImpacts_)
+        );
+        os.write
+        (
+            reinterpret_cast<const char*>(&p.nEddies_),
+            sizeof(p.nEddies_)
         );
     }
     os.check(FUNCTION_NAME);

@@ -7,14 +7,17 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "basicSpinningCloud.H"
-#include "makeParcelDispersionModels.H"
+#include "NoDispersion.H"
 #include "makeParcelPatchInteractionModels.H"
 #include "makeParcelStochasticCollisionModels.H"
 #include "makeParcelSurfaceFilmModels.H"
 #include "noPackingModels.H"
 #include "parcelWallModels.H"
+#include "StochasticDispersion.H"
 
-makeParcelDispersionModels(basicSpinningCloud);
+makeDispersionModel(basicSpinningCloud);
+makeDispersionModelType(NoDispersion, basicSpinningCloud);
+makeDispersionModelType(StochasticDispersion, basicSpinningCloud);
 makeParcelPatchInteractionModels(basicSpinningCloud);
 makeParcelStochasticCollisionModels(basicSpinningCloud);
 makeParcelSurfaceFilmModels(basicSpinningCloud);

@@ -9,6 +9,36 @@
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<class CloudType, class Force>
+void Foam::BlockMotion<CloudType, Force>::meetEddy(const int i)
+{
+    flyer& f = flyers_[i];
+    const label celli = cells_.meshCell(cell_[i]);
+    if (!eddies_->over(celli, f.eddyLeft))
+    {
+        return;
+    }
+    const label at = f.at;
+    force_.sphere(parcels_.d[at], parcels_.rho[at]);
+    force_.eddy({0, 0, 0});
+    force_.place(*block_.now.gas[i], impact::motionLanes::of(block_.now.x, i));
+    const State state(begin(i));
+    eddies_->next
+    (
+        celli,
+        parcels_.origProc[at],
+        parcels_.origId[at],
+        force_.here().u - state.v,
+        force_(state).k,
+        parcels_.UTurb[at],
+        f.eddyLeft,
+        parcels_.nEddies[at]
+    );
+    impact::motionLanes::set(block_.now.eddy, i, toCore(parcels_.UTurb[at]));
+    f.nForces = 0;
+}
+
+
+template<class CloudType, class Force>
 void Foam::BlockMotion<CloudType, Force>::take(const int i, const label at)
 {
     flyer& f = flyers_[i];
@@ -29,6 +59,13 @@ void Foam::BlockMotion<CloudType, Force>::take(const int i, const label at)
     {
         block_.now.enthalpy[i] = force_.heat().material().h(parcels_.T[at]);
     }
+    if (eddies_)
+    {
+        impact::motionLanes::set
+            (block_.now.eddy, i, toCore(parcels_.UTurb[at]));
+        f.eddyLeft = parcels_.tTurb[at];
+        meetEddy(i);
+    }
 }
 
 
@@ -42,6 +79,10 @@ void Foam::BlockMotion<CloudType, Force>::release(const int i)
     {
         parcels_.omega[at] =
             fromCore(impact::motionLanes::of(block_.now.omega, i));
+    }
+    if (eddies_)
+    {
+        parcels_.tTurb[at] = flyers_[i].eddyLeft;
     }
     parcels_.cell[at] = cell_[i];
 }
@@ -58,6 +99,10 @@ Foam::BlockMotion<CloudType, Force>::alone
 {
     const flyer& f = flyers_[i];
     force_.sphere(parcels_.d[f.at], parcels_.rho[f.at]);
+    if (eddies_)
+    {
+        force_.eddy(impact::motionLanes::of(block_.now.eddy, i));
+    }
     force_.place(*block_.now.gas[i], impact::motionLanes::of(block_.now.x, i));
     return motion_.step
     (
@@ -203,6 +248,14 @@ void Foam::BlockMotion<CloudType, Force>::follow(const int i)
         f.nForces = 0;
         hTry = GREAT;
     }
+    if (eddies_)
+    {
+        f.eddyLeft -= t;
+        if (f.begin < 1)
+        {
+            meetEddy(i);
+        }
+    }
     block_.hTry[i] = hTry;
     f.over =
         f.begin >= 1 || f.stalls > 10
@@ -223,6 +276,10 @@ void Foam::BlockMotion<CloudType, Force>::advance(const int n)
     for (int i = 0; i < n; ++i)
     {
         left[i] = remaining(flyers_[i]);
+        if (eddies_)
+        {
+            left[i] = min(left[i], flyers_[i].eddyLeft);
+        }
         for (int c = 0; c < 3; ++c)
         {
             way[c][i] = moving_[c]*block_.now.v[c][i];
@@ -288,13 +345,15 @@ Foam::BlockMotion<CloudType, Force>::BlockMotion
     moving_(toCore(cells_.moving())),
     trackTime_(cloud.solution().trackTime()),
     coupled_(cloud.solution().coupled()),
+    eddies_(cloud.eddies()),
     block_
     (
         force.forces(),
         heat(),
         motion_.tolerance(),
         force.directions().velocity(),
-        force.directions().rotation()
+        force.directions().rotation(),
+        eddies_ != nullptr
     )
 {}
 

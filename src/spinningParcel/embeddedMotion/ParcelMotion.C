@@ -36,8 +36,42 @@ Foam::ParcelMotion<CloudType, Force>::placeForce()
         tetPlace::put(p_, cells_, x_, cell_, -1);
     }
     const cellGas::field& gas = cloud_.gas().at(cell_, store_);
+    if (eddies_)
+    {
+        meetEddy(gas);
+        force_.eddy(toCore(p_.UTurb()));
+    }
     force_.place(gas, x_);
     return gas;
+}
+
+
+template<class CloudType, class Force>
+void Foam::ParcelMotion<CloudType, Force>::meetEddy(const cellGas::field& gas)
+{
+    const label celli = cells_.meshCell(cell_);
+    if (!eddies_->over(celli, p_.tTurb()))
+    {
+        return;
+    }
+    force_.eddy({0, 0, 0});
+    force_.place(gas, x_);
+    const State state = now();
+    const impact::vector3 w = force_.here().u - state.v;
+    const scalar rate = force_(state).k;
+    force_.done();
+    eddies_->next
+    (
+        celli,
+        p_.origProc(),
+        p_.origId(),
+        w,
+        rate,
+        p_.UTurb(),
+        p_.tTurb(),
+        p_.nEddies()
+    );
+    left_ = stepToFace::maxForces;
 }
 
 
@@ -52,6 +86,8 @@ Foam::ParcelMotion<CloudType, Force>::step(const State& begin)
         cell_, x_, impact::multiply(moving_, begin.v), remaining(), ahead
     );
     const scalar gasSpeed = impact::mag(force_.here().u);
+    const scalar left =
+        eddies_ ? min(remaining(), p_.tTurb()) : remaining();
     const outcome o = cloud_.embedded().step
     (
         force_,
@@ -60,7 +96,7 @@ Foam::ParcelMotion<CloudType, Force>::step(const State& begin)
         impact::mag(force_.here().spin),
         stepToFace::longest
         (
-            remaining(), exit, gas.length, mag(p_.U()), gasSpeed
+            left, exit, gas.length, mag(p_.U()), gasSpeed
         ),
         hTry_,
         max(left_ - stepToFace::kept, label(3))
@@ -291,6 +327,7 @@ Foam::ParcelMotion<CloudType, Force>::ParcelMotion
     cells_(cloud.cells()),
     moving_(toCore(cells_.moving())),
     watched_(cloud.watched()),
+    eddies_(cloud.eddies()),
     x_{0, 0, 0},
     cell_(-1),
     left_(stepToFace::maxForces),
@@ -346,6 +383,10 @@ bool Foam::ParcelMotion<CloudType, Force>::move()
         const label patchi =
             bounded ? cells_.boundary()[-1 - next].patch : -1;
         const scalar t = stuck(a.t, patchi) ? a.t + rest() : a.t;
+        if (eddies_)
+        {
+            p_.tTurb() -= t;
+        }
         p_.age() += t;
         if ((watched_ || bounded) && !tell(start, t, a.place, between))
         {

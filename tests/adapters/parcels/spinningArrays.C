@@ -29,7 +29,7 @@ std::string properties(const parcel& p)
             os  << name << ' ' << value(p) << ' ';
         }
     );
-    os  << p.temperature() << ' ' << p.position() << ' ' << p.cell() << ' '
+    os  << p.temperature() << ' ' << p.nEddies() << ' ' << p.position() << ' ' << p.cell() << ' '
         << p.origProc() << ' ' << p.origId() << ' ' << p.active();
     return os.str();
 }
@@ -70,6 +70,7 @@ protected:
             p->age() = 1e-3*i;
             p->typeId() = i % 3;
             p->nImpacts() = i % 5;
+            p->nEddies() = i % 7;
             p->tTurb() = 0.1*i;
             p->UTurb() = vector(i, -i, 3);
             p->dTarget() = i;
@@ -84,6 +85,7 @@ TEST_F(spinningArrays, giveBackWhatTheyGot)
 {
     open();
     const auto cloud = make(embedded);
+    cloud->arrays().follow(true, false, true);
     fill(*cloud, 40);
 
     // The convex cells take parcels of a plane mesh to its middle

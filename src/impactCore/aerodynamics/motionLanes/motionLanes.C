@@ -10,6 +10,25 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+void impact::motionLanes::gasAt
+(
+    int n,
+    const spheres& s,
+    const row (&x)[3],
+    gasRows& g
+) const
+{
+    motionKernels::gas(n, s.gas, x, g);
+    for (int c = 0; eddies_ && c < 3; ++c)
+    {
+        for (int i = 0; i < n; ++i)
+        {
+            g.u[c][i] += s.eddy[c][i];
+        }
+    }
+}
+
+
 void impact::motionLanes::rates
 (
     int n,
@@ -90,6 +109,7 @@ void impact::motionLanes::spheres::take(const spheres& from, int j, int i)
     set(x, i, of(from.x, j));
     set(v, i, of(from.v, j));
     set(omega, i, of(from.omega, j));
+    set(eddy, i, of(from.eddy, j));
     enthalpy[i] = from.enthalpy[j];
     d[i] = from.d[j];
     inverseRhoP[i] = from.inverseRhoP[j];
@@ -146,7 +166,7 @@ void impact::motionLanes::stages(int from, int to)
                 l.kx[stage][c][i] = l.other.v[c][i];
             }
         }
-        motionKernels::gas(l.n, l.gas, place, gasThere);
+        gasAt(l.n, l, place, gasThere);
         rates
         (
             l.n, l, gasThere, l.other.v, l.other.omega, l.other.h, l.k[stage]
@@ -265,14 +285,16 @@ impact::motionLanes::motionLanes
     const sphereHeat* heat,
     double tolerance,
     const vector3& solved,
-    const vector3& rotation
+    const vector3& rotation,
+    bool eddies
 )
 :
     forces_(forces),
     heat_(heat),
     tolerance_(tolerance),
     solved_(solved),
-    rotation_(rotation)
+    rotation_(rotation),
+    eddies_(eddies)
 {}
 
 
@@ -287,6 +309,7 @@ void impact::motionLanes::sphere(int i, double diameter, double rhoP)
     now.convection0[i] = heat_ ? heat_->convection(diameter, rhoP) : 0;
     now.radiation0[i] = heat_ ? heat_->radiation(diameter, rhoP) : 0;
     now.enthalpy[i] = 0;
+    set(now.eddy, i, vector3{0, 0, 0});
 }
 
 
@@ -299,7 +322,7 @@ void impact::motionLanes::move(int j, int i)
 
 void impact::motionLanes::begin(int n)
 {
-    motionKernels::gas(n, now.gas, now.x, here);
+    gasAt(n, now, now.x, here);
     rates(n, now, here, now.v, now.omega, now.enthalpy, f);
 }
 
@@ -312,7 +335,7 @@ void impact::motionLanes::end(int n)
         n, now.x, now.v, now.omega, now.enthalpy, f, hMax, hTry, h, middle,
         place
     );
-    motionKernels::gas(n, now.gas, place, there);
+    gasAt(n, now, place, there);
     rates(n, now, there, middle.v, middle.omega, middle.h, g);
     motionKernels::end
     (
