@@ -5,6 +5,7 @@
 #include "SpinningCloud.H"
 #include "checked.H"
 #include "MagnusForce.H"
+#include "NonInertialFrameForce.H"
 #include "StochasticDispersion.H"
 #include "stockCloudEntries.H"
 #include "wallImpacts.H"
@@ -113,6 +114,14 @@ void Foam::SpinningCloud<CloudType>::setModels()
         Info<< this->arrays().bytes() << " bytes in arrays, as objects of ";
     }
     Info<< label(sizeof(parcelType)) << " bytes" << endl;
+    for (const auto& force : this->forces())
+    {
+        if (isA<NonInertialFrameForce<kinematicCloudType>>(force))
+        {
+            impact::secondaryForces frame;
+            setFrame(force.coeffs(), frame);
+        }
+    }
     if (!rotation_)
     {
         // A force that is nothing need not be asked for each parcel

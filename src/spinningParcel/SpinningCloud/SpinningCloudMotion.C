@@ -6,8 +6,14 @@
 #include "GravityForce.H"
 #include "MagnusForce.H"
 #include "meshTools.H"
+#include "NonInertialFrameForce.H"
+#include "NonSphereDragForce.H"
+#include "PressureGradientForce.H"
+#include "SaffmanMeiLiftForce.H"
 #include "SphereDragForce.H"
 #include "sphereDrag.H"
+#include "uniformDimensionedFields.H"
+#include "VirtualMassForce.H"
 
 #include <limits>
 
@@ -68,7 +74,9 @@ void Foam::SpinningCloud<CloudType>::checkEmbedded()
             gas.found(e.keyword()) ? wordList(1, scheme) : cellGas::schemes
         );
     }
-    for (const word& name : gas)
+    wordList asked(gas);
+    asked.append(wordList({"DUcDt", "curlUcDt"}));
+    for (const word& name : asked)
     {
         // What the user has given is the same scheme; added once more it
         // would be warned of
@@ -97,7 +105,7 @@ void Foam::SpinningCloud<CloudType>::checkEmbedded()
 template<class CloudType>
 void Foam::SpinningCloud<CloudType>::updateCurl()
 {
-    if (!rotation_)
+    if (!needsCurl())
     {
         return;
     }
@@ -124,8 +132,73 @@ void Foam::SpinningCloud<CloudType>::updateCurl()
 
 
 template<class CloudType>
+bool Foam::SpinningCloud<CloudType>::needsCurl() const
+{
+    bool lift = false;
+    for (const auto& force : this->forces())
+    {
+        lift = lift || isA<SaffmanMeiLiftForce<kinematicCloudType>>(force);
+    }
+    return rotation_ || (lift && embedded_.valid());
+}
+
+
+template<class CloudType>
+void Foam::SpinningCloud<CloudType>::setFrame
+(
+    const dictionary& coeffs,
+    impact::secondaryForces& forces
+) const
+{
+    bool any = false;
+    const auto take = [&](const word& entry, impact::vector3& value)
+    {
+        const word name(coeffs.getOrDefault<word>(entry, entry));
+        const auto* object =
+            this->mesh().template findObject<uniformDimensionedVectorField>
+            (
+                name
+            );
+        IOobject header
+        (
+            name, this->db().time().constant(), this->mesh(),
+            IOobject::MUST_READ
+        );
+        if
+        (
+            !object
+         && header.typeHeaderOk<uniformDimensionedVectorField>(true)
+        )
+        {
+            object = &regIOobject::store
+            (
+                new uniformDimensionedVectorField(header)
+            );
+        }
+        if (object)
+        {
+            any = true;
+            value = toCore(object->value());
+        }
+    };
+    take("linearAcceleration", forces.acceleration);
+    take("angularVelocity", forces.Omega);
+    take("angularAcceleration", forces.OmegaDot);
+    take("centreOfRotation", forces.centre);
+    if (!any)
+    {
+        FatalIOErrorInFunction(coeffs)
+            << "particle force nonInertialFrame: there is neither an object"
+            << " nor a file constant/linearAcceleration, angularVelocity,"
+            << " angularAcceleration or centreOfRotation (or as the entries of"
+            << " these names say)" << exit(FatalIOError);
+    }
+}
+
+
+template<class CloudType>
 typename Foam::SpinningCloud<CloudType>::coreForces
-Foam::SpinningCloud<CloudType>::coreForcesOf() const
+Foam::SpinningCloud<CloudType>::coreForcesOf()
 {
     typedef CoreDragForce<kinematicCloudType> dragType;
     static const impact::sphereDrag stockDrag;
@@ -144,6 +217,26 @@ Foam::SpinningCloud<CloudType>::coreForcesOf() const
             core.gravity = true;
             continue;
         }
+        if (isA<VirtualMassForce<kinematicCloudType>>(force))
+        {
+            core.secondary.virtualMass = force.coeffs().getScalar("Cvm");
+            continue;
+        }
+        if (isA<PressureGradientForce<kinematicCloudType>>(force))
+        {
+            core.secondary.pressureGradient = true;
+            continue;
+        }
+        if (isA<SaffmanMeiLiftForce<kinematicCloudType>>(force))
+        {
+            core.secondary.shearLift = true;
+            continue;
+        }
+        if (isA<NonInertialFrameForce<kinematicCloudType>>(force))
+        {
+            setFrame(force.coeffs(), core.secondary);
+            continue;
+        }
         const dragType* law = dynamic_cast<const dragType*>(&force);
         const bool first = !core.drag;
         if (first && law)
@@ -158,6 +251,16 @@ Foam::SpinningCloud<CloudType>::coreForcesOf() const
         else if (first && isA<SphereDragForce<kinematicCloudType>>(force))
         {
             core.drag = &stockDrag;
+        }
+        else if (first && isA<NonSphereDragForce<kinematicCloudType>>(force))
+        {
+            if (!nonSphereDrag_)
+            {
+                impact::dragLaw::coefficients c;
+                c.numbers["sphericity"] = force.coeffs().getScalar("phi");
+                nonSphereDrag_ = impact::dragLaw::New("haiderLevenspielDrag", c);
+            }
+            core.drag = nonSphereDrag_.get();
         }
         core.all = core.all && first && core.drag;
     }
@@ -176,7 +279,13 @@ void Foam::SpinningCloud<CloudType>::prepareMotion()
     const coreForces core = coreForcesOf();
     const fluidThermo* thermo = heat_.valid() ? &heat_->thermo() : core.gas;
     const volScalarField* T = thermo ? &thermo->T() : nullptr;
-    gas_->update(this->U(), halfCurl_, this->rho(), this->mu(), T);
+    const bool changing =
+        gasResponds_
+     && (core.secondary.pressureGradient || core.secondary.virtualMass > 0);
+    gas_->update
+    (
+        this->U(), halfCurl_, this->rho(), this->mu(), T, changing
+    );
     if (eddies_.valid())
     {
         eddies_->update(this->solution().trackTime());
@@ -210,6 +319,7 @@ void Foam::SpinningCloud<CloudType>::prepareMotion()
             toCore(core.gravity ? this->g().value() : vector::zero),
             counts_
         ),
+        core.secondary,
         this->mesh()
     );
     if (heat_.valid())

@@ -6,6 +6,7 @@
 #include "coreVector.H"
 #include "emptyPolyPatch.H"
 #include "fvcCurl.H"
+#include "fvcDdt.H"
 #include "interpolationCellLinear.H"
 #include "trackingCells.H"
 #include "volPointInterpolation.H"
@@ -323,6 +324,8 @@ void Foam::cellGas::tetrahedronField(const tetrahedron& tet, field& f) const
     f.centre = toCore(centre);
     f.value = cellValues_[tet.cell];
     f.length = lengths_[tet.cell];
+    f.uDot =
+        uDot_.size() ? uDot_[tet.cell] : impact::vector3{0, 0, 0};
     const double* v0 = &f.value.u.x;
     for (int k = 0; k < nValues; ++k)
     {
@@ -503,21 +506,32 @@ void Foam::cellGas::update
     const volVectorField* halfCurl,
     const volScalarField& rho,
     const volScalarField& mu,
-    const volScalarField* T
+    const volScalarField* T,
+    const bool changing
 )
 {
-    FixedList<label, 5> events;
+    FixedList<label, 6> events;
     events[0] = U.eventNo();
     events[1] = halfCurl ? halfCurl->eventNo() : -1;
     events[2] = rho.eventNo();
     events[3] = mu.eventNo();
     events[4] = T ? T->eventNo() : -1;
+    events[5] = changing ? mesh_.time().timeIndex() : -1;
     if (events == events_)
     {
         return;
     }
     events_ = events;
     changes_.clear();
+    uDot_.clear();
+    if (changing)
+    {
+        const tmp<volVectorField> dUdt(fvc::ddt(U));
+        for (const vector& a : dUdt().primitiveField())
+        {
+            uDot_.push_back(toCore(a));
+        }
+    }
 
     impact::gasState none{};
     none.T = 1;
@@ -531,6 +545,7 @@ void Foam::cellGas::update
             f.centre = toCore(mesh_.cellCentres()[celli]);
             f.value = none;
             f.length = lengths_[celli];
+            f.uDot = changing ? uDot_[celli] : impact::vector3{0, 0, 0};
         }
         forEach
         (

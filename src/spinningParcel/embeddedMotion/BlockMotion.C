@@ -148,8 +148,17 @@ void Foam::BlockMotion<CloudType, Force>::exchange
         const scalar mass = p.mass();
         p.giveToGas
         (
-            cloud_, mass, fromCore(state.v), fromCore(state.omega),
-            t*force_.external(mass, p.rho(), block_.here.rho[i]), heat, true
+            cloud_,
+            mass,
+            fromCore(state.v),
+            fromCore(state.omega),
+            t*force_.external
+            (
+                mass, p.rho(), state.v,
+                impact::motionLanes::of(block_.now.x, i), block_.here.rho[i]
+            ),
+            heat,
+            true
         );
     }
 }
@@ -353,7 +362,8 @@ Foam::BlockMotion<CloudType, Force>::BlockMotion
         motion_.tolerance(),
         force.directions().velocity(),
         force.directions().rotation(),
-        eddies_ != nullptr
+        eddies_ != nullptr,
+        force.secondary()
     )
 {}
 

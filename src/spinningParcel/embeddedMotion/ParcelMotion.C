@@ -214,8 +214,8 @@ void Foam::ParcelMotion<CloudType, Force>::become
         const scalar mass = p_.mass();
         p_.giveToGas
         (
-            cloud_, force_.massEff(mass), U0, omega0,
-            acting*force_.external(mass, p_.rho()), heat, true
+            cloud_, mass, U0, omega0,
+            acting*force_.external(mass, p_.rho(), toCore(U0)), heat, true
         );
     }
 }

@@ -213,8 +213,7 @@ TEST_F(spinningArrays, areWhereTheCoreHasTheForces)
         const kind& k :
         {
             kind{"core", embedded, "hendersonDrag;magnus;", true},
-            kind{"listed", embedded, "hendersonDrag;nonInertialFrame"
-                "{linearAcceleration none;}", false},
+            kind{"listed", embedded, "hendersonDrag;unfelt;", false},
             kind{"watched", embedded + tracks, "hendersonDrag;", false},
             kind{"stock", "", "hendersonDrag;", false}
         }

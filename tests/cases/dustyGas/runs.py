@@ -193,6 +193,34 @@ off = np.abs(u - w).max()/np.linalg.norm(w), abs(found/T - 1)
 verdict("two_clouds", max(off) < 1e-10, "off by %.1e, %.1e" % off)
 
 
+# Forces by the acceleration of the gas act on it, too: light grains in waves
+x = (np.arange(20) + 0.5)/20
+sealed("waves", 100, 2e-5, 60, 1e-7, u=U0, T=T0, T_dust=TD, cells=(20, 1),
+       p=1e5*(1 + 0.5*np.sin(2*np.pi*x)), writes=2,
+       drag="sphereDrag; pressureGradient { U U; }"
+       " virtualMass { U U; Cvm 0.5; } SaffmanMeiLiftForce { U U; }",
+       change=lambda cloud: cloud.replace("rho0 2500", "rho0 5"))
+solve("waves")
+
+
+def momentum(case, time):
+    rho, u = last_fields(case, "rho U", time)
+    folder = os.path.join(case, time, "lagrangian", "sand")
+    d, n, rho_p, v = (read_field(os.path.join(folder, name))
+                      for name in ("d", "nParticle", "rho", "U"))
+    mass = n*rho_p*np.pi/6*d**3
+    return (1e-9*np.sum(rho[:, None]*u, axis=0),
+            np.sum(mass[:, None]*v, axis=0))
+
+
+(gas0, dust0), (gas1, dust1) = (momentum("waves", t)
+                                for t in times_of("waves")[1:])
+moved = np.linalg.norm(dust1 - dust0)
+off = np.linalg.norm(gas1 - gas0 + dust1 - dust0)/moved
+verdict("gas_feels_its_acceleration", off < 1e-9 and moved > 1e-2*abs(gas0[0]),
+        "of the momentum that grains in waves received the gas lost all but"
+        " %.1e; it was %.2g of the gas' own" % (off, moved/abs(gas0[0])))
+
 # Sources spread over a length: the kernel of one implicit step on a periodic
 # line, the totals, ranks. So short a step that the gas does not carry it on
 def spread_out(case, length, steps=1, dt=1e-12, number=None, cells=(40, 1),

@@ -58,6 +58,33 @@ struct oneForce
     sphereHeat heat;
     const linearGas& gas;
     vector3 x, solved, rotation;
+    secondaryForces secondary;
+    vector3 eddy;
+
+    gasState at(const vector3& s) const
+    {
+        gasState there = gas(x + s);
+        there.u = there.u + eddy;
+        return there;
+    }
+
+    //- With the secondary forces, in the directions that are solved
+    void complete
+    (
+        const gasState& there,
+        const motionState& s,
+        motionRate& r
+    ) const
+    {
+        if (secondary.any())
+        {
+            secondary.add
+            (
+                gas, there, x + s.x, s.v, forces.d(), forces.inverseRhoP(), r
+            );
+        }
+        constrain(r);
+    }
 
     void constrain(motionRate& r) const
     {
@@ -67,18 +94,19 @@ struct oneForce
 
     motionRate operator()(const motionState& s) const
     {
-        motionRate r = forces(gas(x + s.x), s.v, s.omega);
-        constrain(r);
+        const gasState there = at(s.x);
+        motionRate r = forces(there, s.v, s.omega);
+        complete(there, s, r);
         return r;
     }
 
     thermalRate operator()(const thermalState& s) const
     {
-        const gasState there = gas(x + s.x);
+        const gasState there = at(s.x);
         const double T = heat.material().T(s.h);
         thermalRate r;
         static_cast<motionRate&>(r) = forces(there, s.v, s.omega, T);
-        constrain(r);
+        complete(there, s, r);
         heat(there, s.v, T, s.h, r);
         return r;
     }
@@ -103,7 +131,9 @@ void compare
     const vector3& solved,
     const vector3& rotation,
     int n,
-    int (&nWith)[4]
+    int (&nWith)[4],
+    const secondaryForces& secondary = secondaryForces(),
+    double eddies = 0
 )
 {
     std::mt19937 random(7 + n);
@@ -112,7 +142,7 @@ void compare
     const auto block = std::make_unique<motionLanes>
     (
         forces, particleMotion::thermal<State> ? &heat : nullptr, tolerance,
-        solved, rotation
+        solved, rotation, eddies > 0, secondary
     );
     linearGas fields[motionLanes::size];
     double d[motionLanes::size];
@@ -143,6 +173,11 @@ void compare
                 block->now.enthalpy[i] =
                     heat.material().h(600 + 300*uniform(random));
             }
+            motionLanes::set
+            (
+                block->now.eddy, i,
+                eddies*vector3{uniform(random), uniform(random), 1}
+            );
             block->hTry[i] = i % 3 ? 1 : 3e-8;
         }
         block->begin(n);
@@ -157,7 +192,8 @@ void compare
             oneForce force
             {
                 forces, heat, fields[i], motionLanes::of(block->now.x, i),
-                solved, rotation
+                solved, rotation, secondary,
+                motionLanes::of(block->now.eddy, i)
             };
             force.forces.sphere(d[i], 2500);
             force.heat.sphere(d[i], 2500);
@@ -169,7 +205,7 @@ void compare
             {
                 s.h = block->now.enthalpy[i];
             }
-            const gasState here = fields[i](force.x);
+            const gasState here = force.at({0, 0, 0});
             const double h = std::min(block->hMax[i], block->hTry[i]);
             const auto o = motion.step
             (
@@ -289,6 +325,42 @@ TEST(motionLanes, heatsAsOneSphere)
         for (const int count : nWith)
         {
             EXPECT_GE(count, 100) << tolerance;
+        }
+    }
+}
+
+
+TEST(motionLanes, takesSecondaryForcesAndEddies)
+{
+    // In a plane, too, where the gas has a velocity across it
+    const someHeat heat;
+    const hendersonDrag drag(1.4, 1);
+    sphereForces::counts counts;
+    const sphereForces forces
+    (
+        &drag, gammaR, true, true, vector3{0, 9.81, 0}, counts
+    );
+    secondaryForces secondary;
+    secondary.pressureGradient = secondary.shearLift = true;
+    secondary.virtualMass = 50;
+    secondary.acceleration = {1e4, 2e4, 0};
+    secondary.Omega = {0, 0, 3e4};
+    for (const vector3& solved : {vector3{1, 1, 1}, vector3{1, 1, 0}})
+    {
+        const vector3 rotation{solved.z, solved.z, 1};
+        int nWith[4] = {0, 0, 0, 0};
+        compare<motionState>
+        (
+            forces, heat(), 1e-5, solved, rotation, motionLanes::size, nWith,
+            secondary, 80
+        );
+        compare<thermalState>
+        (
+            forces, heat(), 1e-5, solved, rotation, 7, nWith, secondary, 80
+        );
+        for (const int count : nWith)
+        {
+            EXPECT_GE(count, 100);
         }
     }
 }

@@ -33,6 +33,7 @@ void impact::motionLanes::rates
 (
     int n,
     const spheres& s,
+    const row (&x)[3],
     const gasRows& there,
     const row (&u)[3],
     const row (&spin)[3],
@@ -87,6 +88,10 @@ void impact::motionLanes::rates
         n, there, u, spin, s.inverseRhoP, s.drag0, s.torque0, CdRe, magnus,
         clRe, p.g_, solved_, rotation_, r
     );
+    if (secondary_.any())
+    {
+        addSecondary(n, s, x, there, u, r);
+    }
     if (heat_)
     {
         heat_->rates
@@ -99,6 +104,38 @@ void impact::motionLanes::rates
     {
         std::fill_n(r.hDot, n, 0.);
         std::fill_n(r.kHeat, n, 0.);
+    }
+}
+
+
+void impact::motionLanes::addSecondary
+(
+    int n,
+    const spheres& s,
+    const row (&x)[3],
+    const gasRows& there,
+    const row (&v)[3],
+    rateRows& r
+) const
+{
+    for (int i = 0; i < n; ++i)
+    {
+        const gasState gas
+        {
+            of(there.u, i), of(there.spin, i), there.rho[i], there.mu[i],
+            there.T[i]
+        };
+        motionRate rate;
+        rate.a = of(r.a, i);
+        rate.turn = of(r.turn, i);
+        rate.k = r.k[i];
+        secondary_.add
+        (
+            *s.gas[i], gas, of(x, i), of(v, i), s.d[i], s.inverseRhoP[i], rate
+        );
+        set(r.a, i, multiply(solved_, rate.a));
+        set(r.turn, i, multiply(rotation_, rate.turn));
+        r.k[i] = rate.k;
     }
 }
 
@@ -169,7 +206,7 @@ void impact::motionLanes::stages(int from, int to)
         gasAt(l.n, l, place, gasThere);
         rates
         (
-            l.n, l, gasThere, l.other.v, l.other.omega, l.other.h, l.k[stage]
+            l.n, l, place, gasThere, l.other.v, l.other.omega, l.other.h, l.k[stage]
         );
     }
 }
@@ -286,7 +323,8 @@ impact::motionLanes::motionLanes
     double tolerance,
     const vector3& solved,
     const vector3& rotation,
-    bool eddies
+    bool eddies,
+    const secondaryForces& secondary
 )
 :
     forces_(forces),
@@ -294,7 +332,8 @@ impact::motionLanes::motionLanes
     tolerance_(tolerance),
     solved_(solved),
     rotation_(rotation),
-    eddies_(eddies)
+    eddies_(eddies),
+    secondary_(secondary)
 {}
 
 
@@ -323,7 +362,7 @@ void impact::motionLanes::move(int j, int i)
 void impact::motionLanes::begin(int n)
 {
     gasAt(n, now, now.x, here);
-    rates(n, now, here, now.v, now.omega, now.enthalpy, f);
+    rates(n, now, now.x, here, now.v, now.omega, now.enthalpy, f);
 }
 
 
@@ -336,7 +375,7 @@ void impact::motionLanes::end(int n)
         place
     );
     gasAt(n, now, place, there);
-    rates(n, now, there, middle.v, middle.omega, middle.h, g);
+    rates(n, now, place, there, middle.v, middle.omega, middle.h, g);
     motionKernels::end
     (
         n, here, now.v, now.omega, now.enthalpy, f, middle, g, h, tolerance_,
