@@ -583,17 +583,22 @@ void Foam::SpinningCloud<CloudType>::evolve()
 
 template<class CloudType>
 template<class Rest>
-void Foam::SpinningCloud<CloudType>::moveInBlocks(const Rest& rest)
+void Foam::SpinningCloud<CloudType>::moveInBlocks
+(
+    const Rest& rest,
+    PlannedCloud<spinningCloudType>* planned
+)
 {
     typedef SpinningCloud<CloudType> cloud;
     if (coreForce_.valid())
     {
-        BlockMotion<cloud, spinningCoreForce>(*this, coreForce_()).move(rest);
+        BlockMotion<cloud, spinningCoreForce>
+            (*this, coreForce_(), planned).move(rest);
     }
     else
     {
         BlockMotion<cloud, heatedForce<spinningCoreForce>>
-            (*this, heatedCoreForce_()).move(rest);
+            (*this, heatedCoreForce_(), planned).move(rest);
     }
 }
 

@@ -134,32 +134,48 @@ void Foam::BlockMotion<CloudType, Force>::exchange
     p.U() = fromCore(impact::motionLanes::of(block_.now.v, i));
     p.omega() = fromCore(impact::motionLanes::of(block_.now.omega, i));
     p.cell() = cells_.meshCell(cell_[i]);
-    scalar heat = 0;
+    const scalar T0 = heated ? parcels_.T[at] : 0;
     if constexpr (heated)
     {
-        const scalar T0 = parcels_.T[at];
         p.temperature() = parcels_.T[at] =
             force_.heat().material().T(block_.now.enthalpy[i]);
         force_.sphere(p.d(), p.rho());
-        heat = p.takeHeat(cloud_, force_.heat(), T0, o.kHeat, t);
     }
-    if (coupled_)
+    const auto give = [&](auto& receiver)
     {
-        const scalar mass = p.mass();
-        p.giveToGas
-        (
-            cloud_,
-            mass,
-            fromCore(state.v),
-            fromCore(state.omega),
-            t*force_.external
+        scalar heat = 0;
+        if constexpr (heated)
+        {
+            heat = p.takeHeat(receiver, force_.heat(), T0, o.kHeat, t);
+        }
+        if (coupled_)
+        {
+            const scalar mass = p.mass();
+            p.giveToGas
             (
-                mass, p.rho(), state.v,
-                impact::motionLanes::of(block_.now.x, i), block_.here.rho[i]
-            ),
-            heat,
-            true
-        );
+                receiver,
+                mass,
+                fromCore(state.v),
+                fromCore(state.omega),
+                t*force_.external
+                (
+                    mass, p.rho(), state.v,
+                    impact::motionLanes::of(block_.now.x, i),
+                    block_.here.rho[i]
+                ),
+                heat,
+                true
+            );
+        }
+    };
+    if (planned_)
+    {
+        give(*planned_);
+        planned_->keep(at, p.cell());
+    }
+    else
+    {
+        give(cloud_);
     }
 }
 
@@ -343,7 +359,8 @@ template<class CloudType, class Force>
 Foam::BlockMotion<CloudType, Force>::BlockMotion
 (
     CloudType& cloud,
-    Force& force
+    Force& force,
+    PlannedCloud<CloudType>* planned
 )
 :
     cloud_(cloud),
@@ -364,7 +381,8 @@ Foam::BlockMotion<CloudType, Force>::BlockMotion
         force.directions().rotation(),
         eddies_ != nullptr,
         force.secondary()
-    )
+    ),
+    planned_(planned)
 {}
 
 

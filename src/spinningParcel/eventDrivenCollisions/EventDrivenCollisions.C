@@ -254,6 +254,7 @@ Foam::EventDrivenCollisions<CloudType>::EventDrivenCollisions
     step_(domain(dict, cloud.mesh()), duration_, maxEvents),
     planned_(cloud),
     inBlocks_(false),
+    exchanging_(false),
     together_(true),
     reach_(0),
     largest_(0),
@@ -375,6 +376,13 @@ void Foam::EventDrivenCollisions<CloudType>::motion(trackingData& td)
             cloud_.deleteParticle(*f.parcel);
         }
     }
+    planned_.replayBlocks
+    (
+        [this](const label i)
+        {
+            return !freeMotions_[i].parcel || keptInBlock_[i];
+        }
+    );
     cloud_.fill();
     nKnown_ = nActive();
 }

@@ -33,6 +33,7 @@ void Foam::EventDrivenCollisions<CloudType>::collect()
     largest_ = 0;
     anyNew_ = false;
     inBlocks_ = cloud_.inArrays();
+    exchanging_ = cloud_.solution().coupled() || cloud_.heated();
     grow(freeMotions_, cloud_.size());
     const auto& parcels = arrays();
     for (label i = 0; i < parcels.size(); ++i)
@@ -139,16 +140,24 @@ std::vector<std::int32_t>
 Foam::EventDrivenCollisions<CloudType>::moveInBlocks()
 {
     std::vector<std::int32_t> rest;
-    begin_.take(arrays(), law_.spin());
+    begin_.take(arrays());
+    keptInBlock_.assign(exchanging_ ? arrays().size() : 0, false);
     cloud_.moveInBlocks
     (
         [&](const label i, const typename parcelType::begun& begun)
         {
             parcelType* p = freeMotions_[i].parcel = cloud_.take(i);
+            rest.push_back(i);
+            if (exchanging_)
+            {
+                // What it has given to the gas so far is not remembered
+                startOf(i).restore(*p);
+                return;
+            }
             p->stepFraction() = begun.share;
             cloud_.leaveBegun(*p, begun);
-            rest.push_back(i);
-        }
+        },
+        exchanging_ ? &planned_ : nullptr
     );
     return rest;
 }
@@ -188,9 +197,13 @@ Foam::EventDrivenCollisions<CloudType>::startOf(const std::int32_t i) const
     typename plannedCloud::state start(*freeMotions_[i].parcel);
     start.U = begin_.U[i];
     start.age = begin_.age[i];
-    if (law_.spin())
+    if (begin_.omega.size())
     {
         start.omega = begin_.omega[i];
+    }
+    if (begin_.T.size())
+    {
+        start.T = begin_.T[i];
     }
     auto& where = start.where;
     where.stepFraction = 0;
@@ -252,6 +265,8 @@ Foam::EventDrivenCollisions<CloudType>::at(const std::int32_t i)
     if (inBlocks_)
     {
         f.start = startOf(i);
+        const bool arrived = f.parcel->stepFraction() == 1;
+        f.inBlock = exchanging_ && arrived ? i : -1;
         beginPlan(f, m);
     }
     trajectory c;

@@ -31,6 +31,11 @@ void Foam::EventDrivenCollisions<CloudType>::act(flight& f)
         planned_.replay(*f.parcel, f.firstRecord, f.lastRecord, *td_)
      && f.keep;
     f.lastRecord = f.firstRecord;
+    if (f.inBlock >= 0)
+    {
+        keptInBlock_[f.inBlock] = true;
+        f.inBlock = -1;
+    }
 }
 
 
@@ -248,6 +253,7 @@ bool Foam::EventDrivenCollisions<CloudType>::arrive(flight& f, mission& m)
     {
         m.begun = true;
         f.start.restore(p);
+        f.inBlock = -1;
         m.settling = time <= 1e-14*deltaT_;
         if (!m.settling)
         {

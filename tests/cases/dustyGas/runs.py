@@ -370,6 +370,25 @@ verdict("restart_is_bitwise",
         not other and "T" in os.listdir(os.path.join(case, folder)),
         f"different: {other}")
 
+# Each rank keeps the account of its own
+ranks = copy_case("colliding", "collidingRanks")
+for t in times:
+    must(ranks, "rm", "-rf", t)
+edit(ranks, "system/controlDict", "writeInterval 2e-05",
+     "writeInterval 0.0004")
+decompose(ranks)
+log = solve(ranks, 2)
+must(ranks, "reconstructPar", "-latestTime")
+total = gas_energy(ranks, end) + dust_energy(ranks, end)
+shared = re.findall(r"hand-overs between ranks = [^\n]*in all (\d+), (\d+)",
+                    log)
+off = abs(total/totals[-1] - 1), abs(
+    dust_energy(ranks, end)/energies[-1, 1:].sum() - 1)
+verdict("collisions_of_two_ranks_close_it",
+        max(off) < 1e-10 and shared and int(shared[-1][0]) > 0,
+        "total differs by %.1e from that of one rank, grains by %.1e; pairs"
+        " between ranks, hand-overs %s" % (*off, shared[-1:]))
+
 sealed("straight", 3, 1e-6, 10, 1e-5, u=U0, T=T0, T_dust=TD, per_cell=5)
 ranks = copy_case("straight", "ranks")
 solve("straight")
