@@ -127,7 +127,7 @@ static const char* const goOn =
 
 
 // Which directory a mark belongs to: decomposePar copies that of the whole
-// mesh to all processors, reconstructPar that of a processor back
+// mesh to all processors, reconstructPar that of the first processor back
 static std::string ownerOf(const Time& runTime)
 {
     std::ostringstream text;
@@ -279,8 +279,11 @@ void Foam::completeWrite::checkStart(const Time& runTime)
     const fileName top(runTime.path()/runTime.timeName());
     std::ifstream mark(top/"uniform"/"complete");
     std::string line;
-    if (!std::getline(mark, line) || line != ownerOf(runTime))
+    const bool own = std::getline(mark, line) && line == ownerOf(runTime);
+    if (!returnReduce(own, andOp<bool>()))
     {
+        // Of a case that was put together and decomposed anew all processors
+        // have the list of the first
         return;
     }
     while (std::getline(mark, line))

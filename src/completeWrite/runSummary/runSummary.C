@@ -7,10 +7,13 @@
 #include "Pstream.H"
 #include "PstreamReduceOps.H"
 #include "messageStream.H"
+#include "scalarField.H"
 
 #include <algorithm>
 #include <iomanip>
 #include <sstream>
+
+#include <sys/resource.h>
 
 namespace
 {
@@ -89,6 +92,89 @@ std::string Foam::runSummary::particleTable() const
 }
 
 
+std::string Foam::runSummary::rankTable() const
+{
+    rusage used;
+    getrusage(RUSAGE_SELF, &used);
+
+    // Columns, by rank
+    std::vector<std::string> titles{"CPU s", "peak MB"};
+    std::vector<int> decimals{1, 0};
+    std::vector<scalarList> columns(2 + tasks_.size());
+    const auto gather = [](scalarList& column, const scalar value)
+    {
+        column.resize(Pstream::nProcs());
+        column[Pstream::myProcNo()] = value;
+        Pstream::gatherList(column);
+        Pstream::scatterList(column);
+    };
+    gather(columns[0], processorTime::now());
+    gather(columns[1], used.ru_maxrss/1024.0);
+    for (std::size_t i = 0; i < tasks_.size(); ++i)
+    {
+        const task& t = tasks_[i];
+        titles.push_back(t.name);
+        decimals.push_back(0);
+        scalarList& steps = columns[2 + i];
+        gather(steps, t.steps);
+
+        const scalar mean = average(steps);
+        const label most = findMax(steps);
+        scalarList times;
+        gather(times, t.time);
+        const bool counts =
+            sum(steps) > 1e5 && times[most] > 0.2*columns[0][most];
+        if (counts && steps[most] >= 2*mean)
+        {
+            WarningInFunction
+                << "Rank " << most << " has done "
+                << 0.1*round(10*steps[most]/mean) << " times the mean number"
+                << " of particle steps (" << t.name.c_str() << "), and others"
+                << " have waited for it. Write 'decompositionWeights yes;' in "
+                << (t.name == "molecules" || t.name == "solids"
+                  ? "constant/dsmcProperties" : "constant/parcelClouds")
+                << " and 'weightField decompositionWeights;' in"
+                << " system/decomposeParDict" << endl;
+        }
+    }
+
+    std::ostringstream text;
+    const auto line = [&](const std::string& name, const auto& number)
+    {
+        text<< std::left << std::setw(20) << "    " + name << std::right;
+        for (std::size_t k = 0; k < columns.size(); ++k)
+        {
+            text<< std::setw(max(15, int(titles[k].size()) + 2)) << number(k);
+        }
+        text<< '\n';
+    };
+    line("rank", [&](const std::size_t k) { return titles[k]; });
+
+    // Of very many ranks the last line says enough
+    const label nLines = Pstream::nProcs() <= 64 ? Pstream::nProcs() : 0;
+    for (label rank = 0; rank < nLines; ++rank)
+    {
+        line
+        (
+            std::to_string(rank),
+            [&](const std::size_t k)
+            {
+                return cell(columns[k][rank], decimals[k]);
+            }
+        );
+    }
+    line
+    (
+        "most over mean",
+        [&](const std::size_t k)
+        {
+            return cell(max(columns[k])/max(average(columns[k]), SMALL), 2);
+        }
+    );
+    return text.str();
+}
+
+
 // * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
 Foam::runSummary::runSummary()
@@ -96,7 +182,8 @@ Foam::runSummary::runSummary()
     warnings_(),
     parts_(),
     times_(),
-    balances_()
+    balances_(),
+    tasks_()
 {}
 
 
@@ -115,12 +202,29 @@ void Foam::runSummary::particles(const balance& b)
 }
 
 
+void Foam::runSummary::work
+(
+    const std::string& name,
+    const scalar steps,
+    const scalar time
+)
+{
+    tasks_.push_back({name, steps, time});
+}
+
+
 void Foam::runSummary::print() const
 {
+    // (May warn)
+    const std::string ranks(Pstream::parRun() ? rankTable() : "");
     Info<< nl << "Summary of this run" << nl << timeTable().c_str();
     if (balances_.size())
     {
         Info<< nl << particleTable().c_str();
+    }
+    if (Pstream::parRun())
+    {
+        Info<< nl << ranks.c_str();
     }
     Info<< nl << "    warnings"
         << (warnings_.kinds().empty() ? ": none" : ", each once") << nl;

@@ -267,6 +267,7 @@ void Foam::dsmcGas::move()
         mesh_.time().timeIndex()
     );
     recent_.moleculeSteps += molecules_.size();
+    ownSteps_ += molecules_.size();
 
     if (instantaneous_.valid())
     {

@@ -19,7 +19,8 @@ void Foam::dsmcGas::checkEntries() const
     (
         properties_,
         {
-            "wallDiffuseFractions", "sampling", "reportEvery", "randomSeed",
+            "wallDiffuseFractions", "sampling", "decompositionWeights",
+            "reportEvery", "randomSeed",
             "nEquivalentParticles", "typeIdList", "moleculeProperties",
             "BinaryCollisionModel", "WallInteractionModel",
             "InflowBoundaryModel", "VariableHardSphereCoeffs",

@@ -193,12 +193,47 @@ void Foam::dsmcGas::account(runSummary& summary) const
     summary.part("gas, moving", moveTime_);
     summary.part("gas, colliding", collideTime_);
     summary.part("gas, sampling", sampleTime_);
+    summary.work
+    (
+        "molecules", ownSteps_,
+        moveTime_ + collideTime_ + sampleTime_
+    );
     summary.particles
     (
         {
             "molecules", scalar(nStart_), e.entered, scalar(n), true, e.left, 0
         }
     );
+}
+
+
+void Foam::dsmcGas::writeWeights() const
+{
+    volScalarField weights
+    (
+        IOobject
+        (
+            "decompositionWeights",
+            mesh_.time().timeName(),
+            mesh_,
+            IOobject::NO_READ,
+            IOobject::NO_WRITE,
+            false
+        ),
+        mesh_,
+        dimensionedScalar(dimless, Zero)
+    );
+    scalarField& w = weights.primitiveFieldRef();
+    forAll(w, celli)
+    {
+        w[celli] = molecules_.begin(celli + 1) - molecules_.begin(celli);
+    }
+
+    // A cell without molecules takes some time, too
+    const label nCells = returnReduce(w.size(), sumOp<label>());
+    const scalar mean = max(gSum(w)/nCells, SMALL);
+    w = (w + 0.01*mean)/(1.01*mean);
+    weights.write();
 }
 
 
@@ -214,6 +249,10 @@ bool Foam::dsmcGas::writeObject(FOAM_COMPAT_WRITE_ARGS_UNUSED) const
     if (means_.valid())
     {
         means_->writeState();
+    }
+    if (properties_.getOrDefault<Switch>("decompositionWeights", false))
+    {
+        writeWeights();
     }
     return true;
 }

@@ -267,6 +267,7 @@ Foam::runSummary::balance Foam::parcelCloudModel::balance()
 void Foam::parcelCloudModel::account(runSummary& summary)
 {
     summary.part("cloud " + name(), cpuTime_);
+    summary.work(name(), nParcelSteps_, cpuTime_);
     runSummary::balance b(balance());
     b.start = before_.inFlight;
     b.injected -= before_.injected;

@@ -5,6 +5,7 @@
 #include "parcelClouds.H"
 #include "checked.H"
 #include "presentFile.H"
+#include "processorTime.H"
 #include "wallGasInterpolation.H"
 #include "withheldOutput.H"
 #include "HashSet.H"
@@ -33,7 +34,7 @@ Foam::wordList Foam::parcelClouds::readEntries(const fvMesh& mesh)
     }
 
     const IOdictionary dict(io);
-    refuseOthers(dict, {"clouds", "sourceSmoothing"});
+    refuseOthers(dict, {"clouds", "sourceSmoothing", "decompositionWeights"});
     const wordList names(dict.get<wordList>("clouds"));
     Info<< "Clouds: " << (names.empty() ? "none" : listed(names).c_str())
         << nl << endl;
@@ -53,7 +54,47 @@ Foam::wordList Foam::parcelClouds::readEntries(const fvMesh& mesh)
         Info<< "What clouds give to the gas is spread over " << length
             << " m" << nl << endl;
     }
+    if (dict.getOrDefault<Switch>("decompositionWeights", false))
+    {
+        weights_.reset
+        (
+            new volScalarField
+            (
+                IOobject
+                (
+                    "decompositionWeights",
+                    mesh.time().timeName(),
+                    mesh,
+                    IOobject::NO_READ,
+                    IOobject::AUTO_WRITE
+                ),
+                mesh,
+                dimensionedScalar(dimless, Zero)
+            )
+        );
+    }
     return names;
+}
+
+
+void Foam::parcelClouds::weigh()
+{
+    const label nCells = returnReduce(rho_.size(), sumOp<label>());
+    const scalar gas =
+        returnReduce(processorTime::now() - setUpTime_, sumOp<scalar>())
+      - cpuTime();
+    scalarField& w = weights_->primitiveFieldRef();
+    w = gas/(scalar(nSteps_)*nCells);
+    forAll(clouds_, i)
+    {
+        const scalar steps =
+            returnReduce(clouds_[i].nParcelSteps(), sumOp<scalar>());
+        const scalar time =
+            returnReduce(clouds_[i].cpuTime(), sumOp<scalar>());
+        clouds_[i].count(w, time/max(steps, scalar(1)));
+    }
+    w /= gSum(w)/nCells;
+    weights_->correctBoundaryConditions();
 }
 
 
@@ -140,7 +181,10 @@ Foam::parcelClouds::parcelClouds
     mu_(nullptr),
     g_(readG(mesh)),
     clouds_(),
-    smoothing_(nullptr)
+    smoothing_(nullptr),
+    weights_(nullptr),
+    nSteps_(0),
+    setUpTime_(0)
 {
     const wordList names(readEntries(mesh));
     if (names.empty())
@@ -162,6 +206,7 @@ Foam::parcelClouds::parcelClouds
             parcelCloudModel::New(names[i], rho, U, viscosity, g_)
         );
     }
+    setUpTime_ = processorTime::now();
 }
 
 
@@ -205,6 +250,11 @@ void Foam::parcelClouds::evolve
                 setGasChanged();
             }
         }
+    }
+    ++nSteps_;
+    if (weights_.valid() && rho_.time().writeTime())
+    {
+        weigh();
     }
 }
 

@@ -485,6 +485,7 @@ void Foam::solidParticles::move()
         mesh_.time().timeIndex()
     );
     name(before);
+    ownSteps_ += particles_.size();
     for (label i = before; i < particles_.size(); ++i)
     {
         count(tally_[entered], i);

@@ -274,6 +274,7 @@ void Foam::solidParticles::account(runSummary& summary) const
     };
     summary.part("solids, moving", moveTime_);
     summary.part("solids, exchange", exchangeTime_);
+    summary.work("solids", ownSteps_, moveTime_ + exchangeTime_);
     summary.particles
     (
         {

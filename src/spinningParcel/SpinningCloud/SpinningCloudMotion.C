@@ -258,7 +258,8 @@ Foam::SpinningCloud<CloudType>::coreForcesOf()
             {
                 impact::dragLaw::coefficients c;
                 c.numbers["sphericity"] = force.coeffs().getScalar("phi");
-                nonSphereDrag_ = impact::dragLaw::New("haiderLevenspielDrag", c);
+                nonSphereDrag_ =
+                    impact::dragLaw::New("haiderLevenspielDrag", c);
             }
             core.drag = nonSphereDrag_.get();
         }

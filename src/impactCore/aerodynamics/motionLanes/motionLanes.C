@@ -206,7 +206,8 @@ void impact::motionLanes::stages(int from, int to)
         gasAt(l.n, l, place, gasThere);
         rates
         (
-            l.n, l, place, gasThere, l.other.v, l.other.omega, l.other.h, l.k[stage]
+            l.n, l, place, gasThere, l.other.v, l.other.omega, l.other.h,
+            l.k[stage]
         );
     }
 }
