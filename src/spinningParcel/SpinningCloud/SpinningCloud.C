@@ -7,6 +7,7 @@
 #include "MagnusForce.H"
 #include "NonInertialFrameForce.H"
 #include "StochasticDispersion.H"
+#include "SRFForce.H"
 #include "stockCloudEntries.H"
 #include "wallImpacts.H"
 #include "withheldOutput.H"
@@ -114,12 +115,19 @@ void Foam::SpinningCloud<CloudType>::setModels()
         Info<< this->arrays().bytes() << " bytes in arrays, as objects of ";
     }
     Info<< label(sizeof(parcelType)) << " bytes" << endl;
+    impact::secondaryForces frame;
     for (const auto& force : this->forces())
     {
         if (isA<NonInertialFrameForce<kinematicCloudType>>(force))
         {
-            impact::secondaryForces frame;
             setFrame(force.coeffs(), frame);
+        }
+    }
+    for (const auto& force : this->forces())
+    {
+        if (isA<SRFForce<kinematicCloudType>>(force))
+        {
+            setRotatingFrame(force.coeffs(), frame);
         }
     }
     if (!rotation_)

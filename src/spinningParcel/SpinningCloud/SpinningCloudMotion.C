@@ -12,6 +12,8 @@
 #include "SaffmanMeiLiftForce.H"
 #include "SphereDragForce.H"
 #include "sphereDrag.H"
+#include "SRFForce.H"
+#include "SRFModel.H"
 #include "uniformDimensionedFields.H"
 #include "VirtualMassForce.H"
 
@@ -197,6 +199,43 @@ void Foam::SpinningCloud<CloudType>::setFrame
 
 
 template<class CloudType>
+void Foam::SpinningCloud<CloudType>::setRotatingFrame
+(
+    const dictionary& coeffs,
+    impact::secondaryForces& forces
+) const
+{
+    const word name("SRFProperties");
+    const auto* model =
+        this->mesh().template findObject<SRF::SRFModel>(name);
+    if (!model)
+    {
+        IOobject header
+        (
+            name, this->db().time().constant(), this->mesh(),
+            IOobject::MUST_READ
+        );
+        if (!header.typeHeaderOk<IOdictionary>(true))
+        {
+            FatalIOErrorInFunction(coeffs)
+                << "particle force SRF: there is no file constant/" << name
+                << exit(FatalIOError);
+        }
+        model = &regIOobject::store(SRF::SRFModel::New(this->U()).ptr());
+    }
+    if (forces.framed())
+    {
+        FatalIOErrorInFunction(coeffs)
+            << "particle forces SRF and nonInertialFrame: valid is one of them"
+            << exit(FatalIOError);
+    }
+    forces.buoyantFrame = true;
+    forces.Omega = toCore(model->omega().value());
+    forces.centre = toCore(model->origin().value());
+}
+
+
+template<class CloudType>
 typename Foam::SpinningCloud<CloudType>::coreForces
 Foam::SpinningCloud<CloudType>::coreForcesOf()
 {
@@ -235,6 +274,11 @@ Foam::SpinningCloud<CloudType>::coreForcesOf()
         if (isA<NonInertialFrameForce<kinematicCloudType>>(force))
         {
             setFrame(force.coeffs(), core.secondary);
+            continue;
+        }
+        if (isA<SRFForce<kinematicCloudType>>(force))
+        {
+            setRotatingFrame(force.coeffs(), core.secondary);
             continue;
         }
         const dragType* law = dynamic_cast<const dragType*>(&force);

@@ -124,12 +124,18 @@ TEST_F(spinningCloudTest, secondaryForcesAreThoseOfStock)
     (
         io, dimensionedVector("Omega", dimless/dimTime, vector(0, 0, 3e4))
     );
+    {
+        OFstream os(root_/"case/constant/SRFProperties");
+        os  << "FoamFile{version 2.0; format ascii; class dictionary;"
+            << " object SRFProperties;} SRFModel rpm; origin (0 0 0);"
+            << " axis (0 0 1); rpmCoeffs { rpm 3e5; }" << nl;
+    }
     for
     (
         const char* force
       : {
             "pressureGradient{U U;}", "virtualMass{U U;Cvm 0.5;}",
-            "SaffmanMeiLiftForce{U U;}", "nonInertialFrame{}",
+            "SaffmanMeiLiftForce{U U;}", "SRF;", "nonInertialFrame{}",
             "pressureGradient{U U;}virtualMass{U U;Cvm 0.5;}"
             "SaffmanMeiLiftForce{U U;}nonInertialFrame{}"
         }

@@ -150,17 +150,27 @@ TEST(secondaryForces, freeSpheresFlyStraightSeenFromOutside)
     s.centre = centre;
     const vector3 x{4, -1, 7};
     const vector3 v = -1*cross(Omega, x - centre);
-    expectNear(s.frame(x, v), cross(Omega, cross(Omega, x - centre)));
+    expectNear(s.frame(x, v, 0.3), cross(Omega, cross(Omega, x - centre)));
 
     // Where it turns faster and faster and is pushed on top
     s.OmegaDot = {5, 6, -7};
     s.acceleration = {1, 0, 2};
     expectNear
     (
-        s.frame(x, v),
+        s.frame(x, v, 0.3),
         cross(Omega, cross(Omega, x - centre))
       - cross(s.OmegaDot, x - centre) - s.acceleration
     );
     EXPECT_TRUE(s.any());
+
+    // Gas that turns with it bears a share of it, as in a centrifuge
+    const vector3 all = s.frame(x, v, 0.3);
+    s.buoyantFrame = true;
+    expectNear(s.frame(x, v, 0.3), 0.7*all);
+    const linearGas f = flow({0, 0, 0}, {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}});
+    motionRate rate = none();
+    s.add(f, f(x), x, v, 1e-4, 0.3/1.2, rate);
+    expectNear(rate.a, 0.7*all);
+    expectNear(rate.turn, 1.4*Omega);
     EXPECT_FALSE(secondaryForces().any());
 }

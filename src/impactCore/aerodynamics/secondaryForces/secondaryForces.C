@@ -11,13 +11,18 @@
 impact::vector3 impact::secondaryForces::frame
 (
     const vector3& x,
-    const vector3& v
+    const vector3& v,
+    double r
 ) const
 {
-    const vector3 r = x - centre;
+    const vector3 s = x - centre;
+    const double share = buoyantFrame ? 1 - r : 1;
     return
-        cross(r, OmegaDot) + 2*cross(v, Omega) + cross(Omega, cross(r, Omega))
-      - acceleration;
+        share
+       *(
+            cross(s, OmegaDot) + 2*cross(v, Omega)
+          + cross(Omega, cross(s, Omega)) - acceleration
+        );
 }
 
 
@@ -66,8 +71,8 @@ void impact::secondaryForces::add
     if (framed())
     {
         // The relative velocity turns in the frame as well
-        rate.a = rate.a + frame(x, v);
-        rate.turn = rate.turn + 2*Omega;
+        rate.a = rate.a + frame(x, v, r);
+        rate.turn = rate.turn + (buoyantFrame ? 2*(1 - r) : 2)*Omega;
     }
     const double share = 1/massRatio(r);
     rate.a = share*rate.a;
