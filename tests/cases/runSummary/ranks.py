@@ -72,7 +72,7 @@ write_foam("quarter", "constant/parcelClouds",
            "clouds (sand); decompositionWeights yes;")
 write_foam("quarter", "constant/sandProperties", CLOUD)
 
-ranks = copy_case("quarter", "ranks")
+ranks = copy_case("quarter", "quarterRanks")
 decompose(ranks)
 log = solve(ranks, 2)
 titles, lines, most = by_rank(log)
@@ -88,7 +88,7 @@ verdict("warns_of_a_rank_with_twice_the_mean",
         "named with the remedy")
 
 # On one rank there is no such table
-one = copy_case("quarter", "one")
+one = copy_case("quarter", "quarterOne")
 log = solve(one)
 weights = read_field(f"{one}/{times_of(one)[-1]}/decompositionWeights")
 verdict("one_rank_has_no_table", "most over mean" not in log
@@ -121,7 +121,7 @@ dsmcTools.write_gas(
     "gas", {side: "cyclic" for side in sides}, cells=(4, 4, 4),
     weight=2e12, control={"endTime": 2e-6, "deltaT": 1e-6},
     more="decompositionWeights yes;")
-pair = copy_case("gas", "pair")
+pair = copy_case("gas", "gasRanks")
 dsmcTools.solve("gas")
 end = times_of("gas")[-1]
 _, cell, _ = dsmcTools.read_molecules("gas", end)
