@@ -3,7 +3,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "EventDrivenCollisions.H"
-#include "PstreamBuffers.H"
 
 #include <cstring>
 
@@ -50,81 +49,6 @@ bool Foam::EventDrivenCollisions<CloudType>::mayMeet
 
 
 template<class CloudType>
-typename Foam::EventDrivenCollisions<CloudType>::post
-Foam::EventDrivenCollisions<CloudType>::exchange(post& out)
-{
-    PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
-    for (std::size_t rank = 0; rank < out.size(); ++rank)
-    {
-        if (!out[rank].empty())
-        {
-            UOPstream stream(rank, buffers);
-            stream<< UList<char>(&out[rank][0], out[rank].size());
-            out[rank].clear();
-        }
-    }
-    labelList sizes;
-    buffers.finishedSends(sizes);
-    post in(Pstream::nProcs());
-    forAll(sizes, rank)
-    {
-        if (sizes[rank])
-        {
-            UIPstream stream(rank, buffers);
-            const List<char> bytes(stream);
-            in[rank].assign(bytes.cdata(), bytes.size());
-        }
-    }
-    return in;
-}
-
-
-template<class CloudType>
-template<class Item>
-void Foam::EventDrivenCollisions<CloudType>::take
-(
-    const std::string& bytes,
-    std::vector<Item>& items
-)
-{
-    const Item* from = reinterpret_cast<const Item*>(bytes.data());
-    items.insert(items.end(), from, from + bytes.size()/sizeof(Item));
-}
-
-
-template<class CloudType>
-template<class Item>
-void Foam::EventDrivenCollisions<CloudType>::gather(std::vector<Item>& items)
-{
-    if (!Pstream::parRun())
-    {
-        return;
-    }
-    labelList sizes(Pstream::nProcs(), 0);
-    sizes[Pstream::myProcNo()] = items.size();
-    Pstream::gatherList(sizes);
-    if (!Pstream::master())
-    {
-        sendBytes(Pstream::masterNo(), items.data(), items.size()*sizeof(Item));
-        return;
-    }
-    std::size_t total = 0;
-    for (const label n : sizes)
-    {
-        total += n;
-    }
-    items.reserve(total);
-    std::string bytes;
-    for (label rank = 1; rank < Pstream::nProcs(); ++rank)
-    {
-        bytes.resize(sizes[rank]*sizeof(Item));
-        receiveBytes(rank, &bytes[0], bytes.size());
-        take(bytes, items);
-    }
-}
-
-
-template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::write
 (
     post& out,
@@ -132,7 +56,7 @@ void Foam::EventDrivenCollisions<CloudType>::write
     const request& n
 )
 {
-    append(out[rank], n);
+    rankMail::append(out[rank], n);
     out[rank].append(buffer_, 0, n.bufferSize);
 }
 
@@ -212,7 +136,7 @@ void Foam::EventDrivenCollisions<CloudType>::deliver(post& out)
     };
     while (any())
     {
-        for (const std::string& bytes : exchange(out))
+        for (const std::string& bytes : rankMail::exchange(out))
         {
             for (std::size_t at = 0; at < bytes.size();)
             {
@@ -299,14 +223,14 @@ void Foam::EventDrivenCollisions<CloudType>::makeHalo()
         {
             if (rank != Pstream::myProcNo() && territories_->near(rank, b))
             {
-                append(out[rank], c);
+                rankMail::append(out[rank], c);
             }
         }
     }
     std::vector<trajectory> halo;
-    for (const std::string& bytes : exchange(out))
+    for (const std::string& bytes : rankMail::exchange(out))
     {
-        take(bytes, halo);
+        rankMail::take(bytes, halo);
     }
     for (const trajectory& c : halo)
     {

@@ -57,16 +57,16 @@ Foam::EventDrivenCollisions<CloudType>::injectedUpon(const vicinity& ofNew)
             {
                 if (rank != me && territories_->near(rank, box))
                 {
-                    append(out[rank], here);
+                    rankMail::append(out[rank], here);
                 }
             }
         }
     }
     if (Pstream::parRun())
     {
-        for (const std::string& bytes : exchange(out))
+        for (const std::string& bytes : rankMail::exchange(out))
         {
-            take(bytes, others);
+            rankMail::take(bytes, others);
         }
     }
 
@@ -103,7 +103,7 @@ Foam::EventDrivenCollisions<CloudType>::injectedUpon(const vicinity& ofNew)
             }
         }
     );
-    gather(pairs);
+    rankMail::gather(pairs);
     const auto key = [](const memberPair& c)
     {
         return std::make_tuple(c.a.identity, c.b.identity, c.image);

@@ -6,8 +6,6 @@
 #include "StringStream.H"
 #include "globalMeshData.H"
 #include "processorCyclicPolyPatch.H"
-#include "UIPstream.H"
-#include "UOPstream.H"
 #include "wallPolyPatch.H"
 
 #include <algorithm>
@@ -39,46 +37,6 @@ void Foam::EventDrivenCollisions<CloudType>::setPasses()
                 passTo_[i] = exchangeTo_[i];
             }
         }
-    }
-}
-
-
-template<class CloudType>
-void Foam::EventDrivenCollisions<CloudType>::sendBytes
-(
-    const label rank,
-    const void* data,
-    const std::size_t n
-)
-{
-    const char* from = static_cast<const char*>(data);
-    const std::size_t maxBytes = 1 << 30;
-    for (std::size_t i = 0; i < n; i += maxBytes)
-    {
-        UOPstream::write
-        (
-            Pstream::commsTypes::scheduled, rank, from + i, min(maxBytes, n - i)
-        );
-    }
-}
-
-
-template<class CloudType>
-void Foam::EventDrivenCollisions<CloudType>::receiveBytes
-(
-    const label rank,
-    void* data,
-    const std::size_t n
-)
-{
-    char* to = static_cast<char*>(data);
-    const std::size_t maxBytes = 1 << 30;
-    for (std::size_t i = 0; i < n; i += maxBytes)
-    {
-        UIPstream::read
-        (
-            Pstream::commsTypes::scheduled, rank, to + i, min(maxBytes, n - i)
-        );
     }
 }
 
@@ -286,12 +244,12 @@ Foam::EventDrivenCollisions<CloudType>::ask(const label rank, request& r)
         return answer(r);
     }
     r.bufferSize = r.kind == RECEIVE ? buffer_.size() : 0;
-    sendBytes(rank, &r, sizeof(r));
-    sendBytes(rank, buffer_.data(), r.bufferSize);
+    rankMail::send(rank, &r, sizeof(r));
+    rankMail::send(rank, buffer_.data(), r.bufferSize);
     response out(0, r.m);
-    receiveBytes(rank, &out, sizeof(out));
+    rankMail::receive(rank, &out, sizeof(out));
     buffer_.resize(out.bufferSize);
-    receiveBytes(rank, &buffer_[0], out.bufferSize);
+    rankMail::receive(rank, &buffer_[0], out.bufferSize);
     return out;
 }
 
@@ -302,16 +260,16 @@ void Foam::EventDrivenCollisions<CloudType>::serve(const label leader)
     request r(FINISH, 0, mission(PLAN, 0));
     while (true)
     {
-        receiveBytes(leader, &r, sizeof(r));
+        rankMail::receive(leader, &r, sizeof(r));
         buffer_.resize(r.bufferSize);
-        receiveBytes(leader, &buffer_[0], r.bufferSize);
+        rankMail::receive(leader, &buffer_[0], r.bufferSize);
         if (r.kind == FINISH)
         {
             return;
         }
         const response out = answer(r);
-        sendBytes(leader, &out, sizeof(out));
-        sendBytes(leader, buffer_.data(), out.bufferSize);
+        rankMail::send(leader, &out, sizeof(out));
+        rankMail::send(leader, buffer_.data(), out.bufferSize);
     }
 }
 
@@ -325,8 +283,8 @@ void Foam::EventDrivenCollisions<CloudType>::dismiss()
     {
         if (rank != Pstream::myProcNo())
         {
-            sendBytes(rank, &r, sizeof(r));
-            sendBytes(rank, buffer_.data(), r.bufferSize);
+            rankMail::send(rank, &r, sizeof(r));
+            rankMail::send(rank, buffer_.data(), r.bufferSize);
         }
     }
 }
@@ -623,7 +581,7 @@ void Foam::EventDrivenCollisions<CloudType>::lead()
     buffer_.clear();
     for (const std::int32_t i : changed)
     {
-        append(buffer_, at(i));
+        rankMail::append(buffer_, at(i));
     }
     dismiss();
 }
@@ -633,7 +591,7 @@ template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::takeOver(const scalar t)
 {
     std::vector<trajectory> changed;
-    take(buffer_, changed);
+    rankMail::take(buffer_, changed);
     std::vector<std::int32_t> here;
     for (trajectory& c : changed)
     {
