@@ -162,7 +162,13 @@ bool Foam::steadySolution::converge(NewtonKrylov& newton)
         }
 
         const scalar before = newton.norm();
-        const scalar share = newton.step(Co);
+
+        // A steady state that is none in time is only reached by long steps
+        // whose linear equations are solved: with too few vectors the gas
+        // wanders before it. Steps no longer than those of the sweeps are not
+        // worth as much.
+        const scalar share =
+            newton.step(Co, Co > settings_.maxCo ? 100 : 60);
         iterated();
         if (finished())
         {

@@ -130,10 +130,10 @@ bool Foam::NewtonKrylov::solve
 (
     const scalar Co,
     const scalar tolerance,
+    const int mMax,
     std::vector<double>& change
 )
 {
-    const int mMax = 60;
     basis_.resize(mMax + 1);
 
     const scalar start = std::sqrt(dot(baseResidual_, baseResidual_));
@@ -268,7 +268,7 @@ Foam::scalar Foam::NewtonKrylov::limit(std::vector<double>& change) const
 }
 
 
-Foam::scalar Foam::NewtonKrylov::step(const scalar Co)
+Foam::scalar Foam::NewtonKrylov::step(const scalar Co, const int maxVectors)
 {
     // A boundary that lags behind the state would pass for a derivative
     gas_.settleBoundary();
@@ -299,7 +299,7 @@ Foam::scalar Foam::NewtonKrylov::step(const scalar Co)
     }
 
     std::vector<double> change(nUnknowns_);
-    const bool found = solve(Co, 0.1, change);
+    const bool found = solve(Co, 0.1, maxVectors, change);
     scalar share = limit(change);
 
     // The way to the steady state may lead uphill, but not far
