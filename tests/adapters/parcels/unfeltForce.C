@@ -32,6 +32,12 @@ public:
     }
 };
 
-} // End namespace Foam
+// (As makeParticleForceModelType has it, whose names other sources use, too)
+typedef UnfeltForce<basicSpinningCloud::kinematicCloudType> spinningUnfelt;
 
-makeParticleForceModelType(UnfeltForce, basicSpinningCloud);
+defineNamedTemplateTypeNameAndDebug(spinningUnfelt, 0);
+
+ParticleForce<basicSpinningCloud::kinematicCloudType>::
+    adddictionaryConstructorToTable<spinningUnfelt> addSpinningUnfelt_;
+
+} // End namespace Foam
