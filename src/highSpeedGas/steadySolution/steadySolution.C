@@ -134,18 +134,18 @@ void Foam::steadySolution::approach
 
 bool Foam::steadySolution::converge(NewtonKrylov& newton)
 {
-    const label patience = 200;
+    const label patience = 1000;
     const label maxUnsolved = 4;
     const label maxAlike = 10;
     const scalar firstCo = 10;
     label nUnsolved = 0;
     scalar best = GREAT;
-    label bestIteration = iterations_;
+    label bestProducts = newton.nProducts();
     scalar Co = firstCo;
     label nAlike = 0;
 
     equations_.calm();
-    while (iterations_ - bestIteration < patience && Co > 0.01)
+    while (Co > 0.01)
     {
         // The eddies may need more time than a gas that is at rest by far
         if (gasSteady() && imbalance_.value() < 0.1*settings_.residual)
@@ -156,7 +156,6 @@ bool Foam::steadySolution::converge(NewtonKrylov& newton)
             {
                 return true;
             }
-            bestIteration = iterations_;
             report("eddies", Co);
             continue;
         }
@@ -211,8 +210,13 @@ bool Foam::steadySolution::converge(NewtonKrylov& newton)
         if (newton.norm() < 0.7*best)
         {
             best = newton.norm();
-            bestIteration = iterations_;
+            bestProducts = newton.nProducts();
             nAlike = 0;
+        }
+        else if (newton.nProducts() - bestProducts > patience)
+        {
+            // Each product costs about as much as an iteration of the sweeps
+            return false;
         }
         else if (nAlike == maxAlike)
         {

@@ -568,40 +568,37 @@ void Foam::NewtonKrylov::precondition
 {
     constexpr int nn = nVar*nVar;
     double y[nVar];
+    ordered_.resize(nUnknowns_);
+    double* z = ordered_.data();
 
     for (label r = 0; r < nCells_; r++)
     {
-        const label c = cellOf_[r];
-        std::copy(&b[c*nVar], &b[c*nVar] + nVar, y);
+        const double* bc = &b[cellOf_[r]*nVar];
+        std::copy(bc, bc + nVar, y);
         for (int i = rowStart_[r]; i < diagonal_[r]; i++)
         {
-            subtractProduct<nVar>
-            (
-                &block_[i*nn], &x[cellOf_[column_[i]]*nVar], y
-            );
+            subtractProduct<nVar>(&block_[i*nn], z + column_[i]*nVar, y);
         }
-        std::copy(y, y + nVar, &x[c*nVar]);
+        std::copy(y, y + nVar, z + r*nVar);
     }
     for (label r = nCells_ - 1; r >= 0; r--)
     {
-        double* xc = &x[cellOf_[r]*nVar];
-        std::copy(xc, xc + nVar, y);
+        double* zr = z + r*nVar;
+        std::copy(zr, zr + nVar, y);
         for (int i = diagonal_[r] + 1; i < rowStart_[r + 1]; i++)
         {
-            subtractProduct<nVar>
-            (
-                &block_[i*nn], &x[cellOf_[column_[i]]*nVar], y
-            );
+            subtractProduct<nVar>(&block_[i*nn], z + column_[i]*nVar, y);
         }
-        std::fill(xc, xc + nVar, 0);
+        std::fill(zr, zr + nVar, 0);
         const double* D = &block_[diagonal_[r]*nn];
         for (int i = 0; i < nVar; i++)
         {
             for (int j = 0; j < nVar; j++)
             {
-                xc[i] += D[i*nVar + j]*y[j];
+                zr[i] += D[i*nVar + j]*y[j];
             }
         }
+        std::copy(zr, zr + nVar, &x[cellOf_[r]*nVar]);
     }
 }
 
