@@ -5,6 +5,7 @@
 #include "steadySolution.H"
 #include "ImplicitGaussSeidel.H"
 #include "NewtonKrylov.H"
+#include "reducedRankExtrapolation.H"
 #include "RungeKutta.H"
 #include <memory>
 
@@ -86,7 +87,7 @@ void Foam::steadySolution::integrateExplicitly()
 }
 
 
-void Foam::steadySolution::approach
+bool Foam::steadySolution::approach
 (
     ImplicitGaussSeidel& implicit,
     const scalar largestCo,
@@ -100,6 +101,7 @@ void Foam::steadySolution::approach
     const scalar near = toTheEnd ? 0 : 1e-3;
     scalar reference = GREAT;
     scalar Co = min(scalar(1), largestCo);
+    reducedRankExtrapolation slowModes(equations_);
 
     for (label i = 1; ; i++)
     {
@@ -112,19 +114,23 @@ void Foam::steadySolution::approach
 
         if (finished())
         {
-            return;
+            return true;
         }
         report("Gauss-Seidel", Co);
+        if (toTheEnd && Co == largestCo)
+        {
+            slowModes.follow(imbalance_.mean);
+        }
 
         if (imbalance_.value() < near)
         {
-            return;
+            return true;
         }
         if (i % patience == 0)
         {
             if (imbalance_.mean > 0.7*reference)
             {
-                return;
+                return false;
             }
             reference = imbalance_.mean;
         }
@@ -132,9 +138,17 @@ void Foam::steadySolution::approach
 }
 
 
-bool Foam::steadySolution::converge(NewtonKrylov& newton)
+bool Foam::steadySolution::converge
+(
+    NewtonKrylov& newton,
+    const bool sweepsDecay
+)
 {
-    const label patience = 1000;
+    // A product costs about as much as an iteration of the sweeps: where they
+    // were on their way it must be worth it at once. Where the gas waits for
+    // its eddies neither method is to blame.
+    const label patience =
+        sweepsDecay && !equations_.turbulent() ? 300 : 1000;
     const label maxUnsolved = 4;
     const label maxAlike = 10;
     const scalar firstCo = 10;
@@ -215,7 +229,6 @@ bool Foam::steadySolution::converge(NewtonKrylov& newton)
         }
         else if (newton.nProducts() - bestProducts > patience)
         {
-            // Each product costs about as much as an iteration of the sweeps
             return false;
         }
         else if (nAlike == maxAlike)
@@ -248,6 +261,7 @@ bool Foam::steadySolution::solve(const bool near)
         ImplicitGaussSeidel implicit(equations_, 4);
         std::unique_ptr<NewtonKrylov> newton;
         scalar Co = settings_.maxCo;
+        bool decays = false;
 
         // A march from far away begins with first-order fluxes
         equations_.computeRate();
@@ -267,7 +281,7 @@ bool Foam::steadySolution::solve(const bool near)
             }
             if (!finished())
             {
-                approach(implicit, Co);
+                decays = approach(implicit, Co);
             }
             equations_.flattenShocks(flat);
             equations_.computeRate();
@@ -278,15 +292,15 @@ bool Foam::steadySolution::solve(const bool near)
             {
                 newton.reset(new NewtonKrylov(equations_));
             }
-            if (!converge(*newton))
+            if (!converge(*newton, decays))
             {
-                approach(implicit, settings_.maxCo, true);
+                decays = approach(implicit, settings_.maxCo, true);
             }
             else if (!finished())
             {
                 // Shorter steps may lead to where Newton's method succeeds
                 Co = max(Co/3, min(scalar(2), settings_.maxCo));
-                approach(implicit, Co);
+                decays = approach(implicit, Co);
             }
         }
     }

@@ -3,11 +3,12 @@
 through which a shock runs as it likes."""
 
 import itertools
+import os
 import re
 
 import numpy as np
 from bluntBody import CP, P, RADIUS, SOUND, T, pitot
-from caseTools import (copy_case, decompose, last_fields, must, read_field,
+from caseTools import (copy_case, decompose, edit, last_fields, must, read_field,
                        solve, times_of, verdict, write_case, write_field)
 
 PATCHES = {"body": "patch", "inlet": "patch", "outlet": "patch",
@@ -125,33 +126,48 @@ def stagnation(case, M, outer=1.06):
 
 
 def main():
-    M = 6
     case = "tetrahedra"
     write_case(case, {"endTime": 1, "deltaT": 1, "writeInterval": 1},
                {"mode": "steady", "residual": 1e-8}, "HLLC", "vanAlbada")
     octant(case, 14, 21, 1.6)
     must(case, "gmshToFoam", "sphere.msh")
     retype(case)
-    fields(case, M)
+    fields(case, 6)
     copy_case(case, "tetRanks")
-    text = solve(case)
+    judge(case, solve(case))
+
+    # A shock that crosses the cells as it likes may come to rest in more than
+    # one way: on ranks the same bounds hold from the start, and the steady
+    # state of one rank is one
+    copy_case(case, "tetAgain")
+    last = times_of("tetAgain")[-1]
+    os.remove(f"tetAgain/{last}/uniform/highSpeedGas")
+    decompose("tetRanks", (1, 2, 1))
+    text = solve("tetRanks", 2)
+    must("tetRanks", "reconstructPar", "-latestTime")
+    judge("tetRanks", text)
+    edit("tetAgain", "system/controlDict", "endTime 1;", "endTime 2;")
+    decompose("tetAgain", (1, 2, 1))
+    text = solve("tetAgain", 2)
+    must("tetAgain", "reconstructPar", "-latestTime")
+    apart = np.abs(last_fields("tetAgain")[0]/last_fields(case)[0] - 1).max()
+    verdict("tetrahedra_ranks",
+            "steady after 0 iterations" in text and apart < 1e-12
+            and times_of("tetAgain")[-1] != last,
+            f"pressures differ by {apart:.1e}, tolerance 1e-12")
+
+
+def judge(case, text):
+    """The bounds of such a flow at Mach 6."""
     steady = re.search(r"Gas: steady after (\d+) iterations, imbalance of .*",
                        text)
     verdict(case + "_steady", steady is not None,
             steady[0] if steady else "does not say that it is steady")
-    p0, least, most, n = stagnation(case, M)
+    p0, least, most, n = stagnation(case, 6)
     verdict(case + "_stagnation_pressure", abs(p0) < 0.02,
             f"total pressure {100*p0:+.2f} % in {n} cells at the nose")
     verdict(case + "_total_temperature", -0.03 < least and most < 0.03,
             f"{100*least:+.2f} to {100*most:+.2f} %")
-
-    # On ranks the cells see the same neighbours
-    decompose("tetRanks", (1, 2, 1))
-    solve("tetRanks", 2)
-    must("tetRanks", "reconstructPar", "-latestTime")
-    apart = np.abs(last_fields("tetRanks")[0]/last_fields(case)[0] - 1).max()
-    verdict("tetrahedra_ranks", 0 < apart < 1e-5,
-            f"pressures differ by {apart:.1e}")
 
 
 if __name__ == "__main__":
