@@ -30,7 +30,7 @@ momentum = (volume*np.mean(rho*u[:, 0]) + mass*np.mean(v))/(gas*300) - 1
 before = gas*((CP - R)*500 + 0.5*300**2) + mass*CP_P*300
 after = volume*np.mean(rho*((CP - R)*T + 0.5*np.sum(u**2, axis=1))) \
     + dust_energy("box")
-k, heat, _ = relaxation(d, 0, np.mean(rho), 500, R)
+k, heat, _ = relaxation(d, 0, np.mean(rho), 500, R, 300)
 longest = int(steps)*dt*min(k, heat)*(1 + loading)
 apart = abs(np.mean(u[:, 0]) - np.mean(v))/300, abs(np.mean(T) - np.mean(Tp))/200
 hottest = 500 + 0.5*300**2/(CP - R)
