@@ -8,7 +8,7 @@ import numpy as np
 
 from caseTools import complaint, read_field, run, times_of
 from dsmcTools import (ARGON, K, NITROGEN, collisions, energies, momenta,
-                       read_wall, reported, write_gas)
+                       read_wall, write_gas)
 
 PERIODIC = dict.fromkeys(("xMin", "xMax", "yMin", "yMax", "zMin", "zMax"),
                          "cyclic")

@@ -9,7 +9,7 @@ import numpy as np
 
 from caseTools import run, times_of
 from dsmcTools import NITROGEN, write_gas
-from solidTools import NUMBER, changes, fill, read_solids, write_solids
+from solidTools import changes, fill, read_solids, write_solids
 
 PERIODIC = dict.fromkeys(("xMin", "xMax", "yMin", "yMax", "zMin", "zMax"),
                          "cyclic")

@@ -9,7 +9,7 @@ import shutil
 import numpy as np
 
 from caseTools import run
-from plate import SOLVER, counters, injector, mesh, parcels, write_plate
+from plate import SOLVER, counters, injector, parcels, write_plate
 
 WALLS = {side + end: "wall" for side in "xyz" for end in ("Min", "Max")}
 SIZE = 0.1
