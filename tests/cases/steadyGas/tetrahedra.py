@@ -8,8 +8,9 @@ import re
 
 import numpy as np
 from bluntBody import CP, P, RADIUS, SOUND, T, pitot
-from caseTools import (copy_case, decompose, edit, last_fields, must, read_field,
-                       solve, times_of, verdict, write_case, write_field)
+from caseTools import (copy_case, decompose, edit, last_fields, must,
+                       read_field, solve, times_of, verdict, write_case,
+                       write_field)
 
 PATCHES = {"body": "patch", "inlet": "patch", "outlet": "patch",
            "sides": "symmetry"}
@@ -125,6 +126,19 @@ def stagnation(case, M, outer=1.06):
     return total[near].mean(), H[near].min(), H[near].max(), near.sum()
 
 
+def judge(case, text):
+    """The bounds of such a flow at Mach 6."""
+    steady = re.search(r"Gas: steady after (\d+) iterations, imbalance of .*",
+                       text)
+    verdict(case + "_steady", steady is not None,
+            steady[0] if steady else "does not say that it is steady")
+    p0, least, most, n = stagnation(case, 6)
+    verdict(case + "_stagnation_pressure", abs(p0) < 0.02,
+            f"total pressure {100*p0:+.2f} % in {n} cells at the nose")
+    verdict(case + "_total_temperature", -0.03 < least and most < 0.03,
+            f"{100*least:+.2f} to {100*most:+.2f} %")
+
+
 def main():
     case = "tetrahedra"
     write_case(case, {"endTime": 1, "deltaT": 1, "writeInterval": 1},
@@ -137,8 +151,8 @@ def main():
     judge(case, solve(case))
 
     # A shock that crosses the cells as it likes may come to rest in more than
-    # one way: on ranks the same bounds hold from the start, and the steady
-    # state of one rank is one
+    # one way: on ranks the same bounds hold from the start, the steady state
+    # of one rank is one, and in time the gas goes on from it the same way
     copy_case(case, "tetAgain")
     last = times_of("tetAgain")[-1]
     os.remove(f"tetAgain/{last}/uniform/highSpeedGas")
@@ -149,25 +163,27 @@ def main():
     edit("tetAgain", "system/controlDict", "endTime 1;", "endTime 2;")
     decompose("tetAgain", (1, 2, 1))
     text = solve("tetAgain", 2)
-    must("tetAgain", "reconstructPar", "-latestTime")
-    apart = np.abs(last_fields("tetAgain")[0]/last_fields(case)[0] - 1).max()
-    verdict("tetrahedra_ranks",
-            "steady after 0 iterations" in text and apart < 1e-12
-            and times_of("tetAgain")[-1] != last,
-            f"pressures differ by {apart:.1e}, tolerance 1e-12")
+    verdict("tetAgain_steady", "steady after 0 iterations" in text,
+            "steady after 0 iterations")
 
-
-def judge(case, text):
-    """The bounds of such a flow at Mach 6."""
-    steady = re.search(r"Gas: steady after (\d+) iterations, imbalance of .*",
-                       text)
-    verdict(case + "_steady", steady is not None,
-            steady[0] if steady else "does not say that it is steady")
-    p0, least, most, n = stagnation(case, 6)
-    verdict(case + "_stagnation_pressure", abs(p0) < 0.02,
-            f"total pressure {100*p0:+.2f} % in {n} cells at the nose")
-    verdict(case + "_total_temperature", -0.03 < least and most < 0.03,
-            f"{100*least:+.2f} to {100*most:+.2f} %")
+    for name in "tetTime", "tetTimeRanks":
+        copy_case(case, name)
+        edit(name, "system/fvSolution", "mode steady;", "mode transient;")
+        for old, new in (("endTime 1;", "endTime 1.0000005;"),
+                         ("deltaT 1;", "deltaT 1e-7;"),
+                         ("writeInterval 1;", "writeInterval 5e-7;")):
+            edit(name, "system/controlDict", old, new)
+    solve("tetTime")
+    decompose("tetTimeRanks", (1, 2, 1))
+    solve("tetTimeRanks", 2)
+    must("tetTimeRanks", "reconstructPar", "-latestTime")
+    before, one, two = (last_fields(name)[0]
+                        for name in (case, "tetTime", "tetTimeRanks"))
+    moved = np.abs(one/before - 1).max()
+    apart = np.abs(two/one - 1).max()
+    verdict("tetrahedra_ranks", apart < 1e-9 < 1e-4 < moved,
+            f"pressures differ by {apart:.1e}, tolerance 1e-9, where they"
+            f" change by {moved:.1e}")
 
 
 if __name__ == "__main__":
