@@ -10,6 +10,7 @@
 #include "HashSet.H"
 #include "SHA1.H"
 #include "checked.H"
+#include "fastNumberOutput.H"
 #include "finishFile.H"
 #include "processorTime.H"
 
@@ -326,6 +327,7 @@ bool Foam::completeWrite::write(Time& runTime)
         return false;
     }
     const processorTime timer(cpuTime_);
+    const fastNumberOutput fast;
     begin(runTime);
     withReason([&] { runTime.write(); }, goOn);
     pending_ = true;
@@ -336,6 +338,7 @@ bool Foam::completeWrite::write(Time& runTime)
 void Foam::completeWrite::writeNow(Time& runTime)
 {
     const processorTime timer(cpuTime_);
+    const fastNumberOutput fast;
     begin(runTime);
     withReason([&] { runTime.writeNow(); }, goOn);
     pending_ = true;
