@@ -483,8 +483,7 @@ void Foam::SpinningCloud<CloudType>::info()
     if (withheldOutput::now())
     {
         // What counts the steps, without the sums over all parcels
-        Ostream& os = Info;
-        this->patchInteraction().info(FOAM_COMPAT_INFO_PASS);
+        foamCompat::info(this->patchInteraction());
         if (collisions_.valid())
         {
             collisions_->info();
