@@ -177,7 +177,11 @@ Foam::autoPtr<Foam::parcelCloudModel> Foam::parcelCloudModel::New
     static const HashTable<Pair<wordList>> stock
     ({
         {"basicKinematicCloud", {{}, {}}},
-        {"basicKinematicCollidingCloud", {{}, {"collisionModel"}}},
+        {
+            // (in braces alone a word is taken for a switch of the pair)
+            "basicKinematicCollidingCloud",
+            {wordList(), wordList{"collisionModel"}}
+        },
         {
             "basicThermoCloud",
             {

@@ -214,6 +214,40 @@ TEST_F(parcelCloudsTest, advancesSeveralClouds)
 }
 
 
+TEST_F(parcelCloudsTest, takesCollisionModelsWhereThereAreSome)
+{
+    const dictionary pairs
+    (
+        IStringStream
+        (
+            "constantProperties{youngsModulus 1e9;poissonsRatio 0.3;}"
+            "subModels{collisionModel pairCollision;pairCollisionCoeffs{"
+            "maxInteractionDistance 5e-6;writeReferredParticleCloud no;"
+            "pairModel pairSpringSliderDashpot;pairSpringSliderDashpotCoeffs{"
+            "useEquivalentSize no;alpha 0;b 1.5;mu 0;"
+            "cohesionEnergyDensity 0;collisionResolutionSteps 12;}"
+            "wallModel wallSpringSliderDashpot;wallSpringSliderDashpotCoeffs{"
+            "useEquivalentSize no;collisionResolutionSteps 12;"
+            "youngsModulus 1e9;poissonsRatio 0.3;alpha 0;b 1.5;mu 0;"
+            "cohesionEnergyDensity 0;}}}"
+        )()
+    );
+    list("(sand)");
+    addCloud("sand", pairs);
+    open();
+    const std::string message = refusal();
+    EXPECT_NE(message.find("collisionModel"), std::string::npos) << message;
+
+    dictionary colliding(pairs);
+    colliding.set("type", word("basicKinematicCollidingCloud"));
+    addCloud("sand", colliding);
+    const auto clouds = make();
+    (*time_)++;
+    clouds->evolve(false);
+    EXPECT_EQ((*clouds)[0].nParcels(), 7);
+}
+
+
 TEST_F(parcelCloudsTest, refusesBadLists)
 {
     list("(sand sand)");
