@@ -68,7 +68,6 @@ Foam::shockAlignment::shockAlignment(fvMesh& mesh, const dictionary& dict)
     wallShare_ = getNumber(dict, "wallShare", "[0, 0.9]", scalar(0));
     wallWidth_ = getNumber(dict, "wallWidth", "[0.001, 1]", scalar(0.1));
     rounds_ = getNumber<label>(dict, "rounds", "[1, 100]", 10);
-    tolerance_ = getNumber(dict, "tolerance", "(0, 1)", scalar(2e-3));
     if (bandShare_ + wallShare_ > 0.9)
     {
         refuse
@@ -77,6 +76,17 @@ Foam::shockAlignment::shockAlignment(fvMesh& mesh, const dictionary& dict)
             "[0, 0.9 - bandShare]: some cells stand elsewhere"
         );
     }
+
+    // Where the shock is several cells off its place within the band, cells
+    // at its two sides are crossed, and all behind feel it
+    const scalarField x(spacing(outer_, bandWidth_));
+    label i = 0;
+    while (x[i + 1] < 1)
+    {
+        i++;
+    }
+    const scalar third = (x[i + 1] - x[i])/3;
+    tolerance_ = getNumber(dict, "tolerance", "(0, 1)", third);
 
     forAll(lines_, linei)
     {
