@@ -251,6 +251,7 @@ Foam::gasMesh::gasMesh(const fvMesh& mesh)
     setDirections();
     setPatches();
     setFaces();
+    setOrder();
     setImages();
     setGasBehind();
     setLines();

@@ -3,7 +3,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "NewtonKrylov.H"
-#include "bandCompression.H"
 #include <algorithm>
 
 namespace Foam
@@ -257,29 +256,7 @@ void Foam::NewtonKrylov::setOrder()
 {
     const gasMesh& mesh = gas_.geometry();
 
-    labelListList neighbours(nCells_);
-    {
-        labelList n(nCells_, Zero);
-        for (label f = 0; f < mesh.nInternal(); f++)
-        {
-            n[mesh.owner[f]]++;
-            n[mesh.far[f]]++;
-        }
-        forAll(neighbours, c)
-        {
-            neighbours[c].setSize(n[c]);
-        }
-        n = 0;
-        for (label f = 0; f < mesh.nInternal(); f++)
-        {
-            const label o = mesh.owner[f];
-            const label r = mesh.far[f];
-            neighbours[o][n[o]++] = r;
-            neighbours[r][n[r]++] = o;
-        }
-    }
-
-    const labelList order(bandCompression(neighbours));
+    const labelList order(mesh.compressedOrder());
     cellOf_.assign(order.begin(), order.end());
     rowOf_.resize(nCells_);
     for (label r = 0; r < nCells_; r++)
@@ -291,11 +268,14 @@ void Foam::NewtonKrylov::setOrder()
     diagonal_.resize(nCells_);
     for (label r = 0; r < nCells_; r++)
     {
-        const labelList& cells = neighbours[cellOf_[r]];
+        const int c = cellOf_[r];
         std::vector<int> columns(1, r);
-        for (const label c : cells)
+        for (int i = mesh.cellStart[c]; i < mesh.cellStart[c + 1]; i++)
         {
-            columns.push_back(rowOf_[c]);
+            if (mesh.neighbour[i] < nCells_)
+            {
+                columns.push_back(rowOf_[mesh.neighbour[i]]);
+            }
         }
         std::sort(columns.begin(), columns.end());
         columns.erase
