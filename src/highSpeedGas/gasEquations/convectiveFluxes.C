@@ -270,7 +270,7 @@ void Foam::gasEquations::readFaces
                 block.passed[2 + d][i] = passed_*RT;
             }
         }
-        block.weight[i] = geometry_.weight[f];
+        block.weight[i] = geometry_.evenWeight[f];
         state.shock[i] =
             sensesShocks_ || flatShocks_
           ? shareInShock<nDim>

@@ -254,8 +254,6 @@ Foam::gasMesh::gasMesh(const fvMesh& mesh)
     setOrder();
     setImages();
     setGasBehind();
-    setLines();
-
     sendBuffer_.setSize(mesh.boundaryMesh().size());
-    setRadii();
+    setAxis();
 }

@@ -62,9 +62,9 @@ void Foam::gasMesh::setImages()
                 vector toImage((M & r) - r);
                 if (onAxis)
                 {
-                    // Two ghosts that count as one: the gradient of the
-                    // square of the radius is then within 5 % of its value
-                    lsqWeight_[f] = 0.5;
+                    // The gradient of the square of the radius is then exact
+                    // if the next cell is as high
+                    lsqWeight_[f] = 11.0/24;
                 }
                 else
                 {
@@ -88,48 +88,6 @@ void Foam::gasMesh::setImages()
             }
         }
     }
-}
-
-
-void Foam::gasMesh::setRadii()
-{
-    const wedgePolyPatch* wedge = nullptr;
-    for (const polyPatch& pp : mesh_.boundaryMesh())
-    {
-        if (!wedge && isA<wedgePolyPatch>(pp))
-        {
-            wedge = &refCast<const wedgePolyPatch>(pp);
-        }
-    }
-    if (!wedge)
-    {
-        return;
-    }
-
-    const vector along(normalised(wedge->axis()));
-    const vector side(normalised(wedge->centreNormal() ^ along));
-    for (int d = 0; d < nDim_; d++)
-    {
-        axis.push_back(along[direction_[d]]);
-        away.push_back(side[direction_[d]]);
-    }
-
-    inverseRadius.assign(nSlots(), 0);
-    for (label c = 0; c < nCells_; c++)
-    {
-        inverseRadius[c] = 1/(mesh_.cellCentres()[c] & side);
-    }
-    faceRadius.resize(nFaces_);
-    for (label f = 0; f < nFaces_; f++)
-    {
-        const label c = owner[f];
-        faceRadius[f] = mesh_.cellCentres()[c] & side;
-        for (int d = 0; d < nDim_; d++)
-        {
-            faceRadius[f] += toFace[f*nDim_ + d]*away[d];
-        }
-    }
-    exchange(inverseRadius.data(), 1);
 }
 
 

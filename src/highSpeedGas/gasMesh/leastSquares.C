@@ -41,6 +41,49 @@ void Foam::gasMesh::setLeastSquares(const boolList& excluded)
         }
     }
 
+    lsqVector.assign(faceOf.size()*nDim_, 0);
+
+    // Directions in which a cell has no neighbours get no gradient: the
+    // moment of a unit stencil there keeps the matrix regular without adding
+    // to the gradient
+    for (label c = 0; c < nCells_; c++)
+    {
+        symmTensor m(moment[c]);
+        if (nDim_ == 2)
+        {
+            m.zz() += 1;
+        }
+        vector d(m.xx(), m.yy(), m.zz());
+        const scalar small = 1e-8*cmptMax(d);
+        if (m.xx() < small) m.xx() = 1;
+        if (m.yy() < small) m.yy() = 1;
+        if (m.zz() < small) m.zz() = 1;
+        if (det(m) < 1e-10*m.xx()*m.yy()*m.zz())
+        {
+            // All neighbours on one line that is not a coordinate axis
+            m += 1e-6*cmptMax(d)*symmTensor::I;
+        }
+
+        const symmTensor inverse(inv(m));
+        for (int i = cellStart[c]; i < cellStart[c + 1]; i++)
+        {
+            const int f = faceOf[i];
+            if (takesPart[f])
+            {
+                const vector d(deltaOf(f));
+                vector l((inverse & d)/magSqr(d));
+                l *= owner[f] == c ? lsqWeight_[f] : -1;
+                for (int k = 0; k < nDim_; k++)
+                {
+                    lsqVector[i*nDim_ + k] = l[k];
+                }
+            }
+        }
+    }
+
+    setWays();
+    setLines();
+
     flat.assign(nCells_, 0);
     for (const int c : unaligned)
     {
@@ -56,47 +99,5 @@ void Foam::gasMesh::setLeastSquares(const boolList& excluded)
         );
         // (in ascending order)
         flat[c] = spread[0] < 0.1*spread[nDim_ - 1];
-    }
-
-    // Directions in which a cell has no neighbours get no gradient: the
-    // moment of a unit stencil there keeps the matrix regular without adding
-    // to the gradient
-    for (label c = 0; c < nCells_; c++)
-    {
-        symmTensor& m = moment[c];
-        if (nDim_ == 2)
-        {
-            m.zz() += 1;
-        }
-        vector d(m.xx(), m.yy(), m.zz());
-        const scalar small = 1e-8*cmptMax(d);
-        if (m.xx() < small) m.xx() = 1;
-        if (m.yy() < small) m.yy() = 1;
-        if (m.zz() < small) m.zz() = 1;
-        if (det(m) < 1e-10*m.xx()*m.yy()*m.zz())
-        {
-            // All neighbours on one line that is not a coordinate axis
-            m += 1e-6*cmptMax(d)*symmTensor::I;
-        }
-    }
-
-    lsqVector.assign(faceOf.size()*nDim_, 0);
-    for (label c = 0; c < nCells_; c++)
-    {
-        const symmTensor inverse(inv(moment[c]));
-        for (int i = cellStart[c]; i < cellStart[c + 1]; i++)
-        {
-            const int f = faceOf[i];
-            if (takesPart[f])
-            {
-                const vector d(deltaOf(f));
-                vector l((inverse & d)/magSqr(d));
-                l *= owner[f] == c ? lsqWeight_[f] : -1;
-                for (int k = 0; k < nDim_; k++)
-                {
-                    lsqVector[i*nDim_ + k] = l[k];
-                }
-            }
-        }
     }
 }

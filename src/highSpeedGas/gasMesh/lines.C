@@ -13,14 +13,27 @@ namespace Foam
 class waysOut
 {
     const gasMesh& mesh_;
+
+    //- From the owner to the far cell, as these two see it
+    const std::vector<double>& fromOwner_;
+    const std::vector<double>& toFar_;
+
     const int cell_;
     const int n_;
 
 public:
 
-    waysOut(const gasMesh& mesh, const int cell)
+    waysOut
+    (
+        const gasMesh& mesh,
+        const std::vector<double>& fromOwner,
+        const std::vector<double>& toFar,
+        const int cell
+    )
     :
         mesh_(mesh),
+        fromOwner_(fromOwner),
+        toFar_(toFar),
         cell_(cell),
         n_(mesh.nDim())
     {}
@@ -41,9 +54,15 @@ public:
         return mesh_.owner[f] == cell_ ? 1 : -1;
     }
 
+    //- The way through a face, from the owner to the far cell
+    const double* through(const int f) const
+    {
+        return &(outward(f) > 0 ? fromOwner_ : toFar_)[f*n_];
+    }
+
     double distance(const int f) const
     {
-        return length(&mesh_.delta[f*n_]);
+        return length(through(f));
     }
 
     //- Component of the way through a face in the direction of a vector
@@ -52,7 +71,7 @@ public:
         double sum = 0;
         for (int d = 0; d < n_; d++)
         {
-            sum += mesh_.delta[f*n_ + d]*v[d];
+            sum += through(f)[d]*v[d];
         }
         return outward(f)*sum;
     }
@@ -94,7 +113,7 @@ public:
         for (const int g : *this)
         {
             const double cosine =
-                outward(f)*along(g, &mesh_.delta[f*n_])
+                outward(f)*along(g, through(f))
                /(distance(f)*distance(g));
             if (cosine <= opposite)
             {
@@ -103,7 +122,7 @@ public:
                 for (int d = 0; d < n_; d++)
                 {
                     direction[d] +=
-                        outward(g)*mesh_.delta[g*n_ + d]/distance(g);
+                        outward(g)*through(g)[d]/distance(g);
                 }
             }
         }
@@ -120,7 +139,7 @@ public:
             if
             (
                 isWedge[g]
-             && outward(f)*along(g, &mesh_.delta[f*n_])
+             && outward(f)*along(g, through(f))
               < -0.2*distance(f)*distance(g)
             )
             {
@@ -207,12 +226,12 @@ void Foam::gasMesh::setLines()
         std::fill_n(isWedge.begin() + patch.start, patch.size, patch.wedge);
     }
 
-    alongOwner = delta;
-    alongFar = delta;
+    const std::vector<double> fromOwner(alongOwner);
+    const std::vector<double> toFar(alongFar);
     unaligned.clear();
     for (label c = 0; c < nCells_; c++)
     {
-        const waysOut ways(*this, c);
+        const waysOut ways(*this, fromOwner, toFar, c);
         bool onLines = true;
         for (const int f : ways)
         {
@@ -226,17 +245,13 @@ void Foam::gasMesh::setLines()
             onLines =
                 onLines && (nAcross > 0 || ways.endsOnAxis(f, isWedge));
 
-            // A line has one cell on either side, or the two images beyond
-            // the axis of a wedge
+            // A line has one cell on either side
             int h = -1;
             double ahead[3];
             if
             (
-                (nAcross == 2 && isWedge[g])
-             || (
-                    nAcross == 1 && gasBehind[g]
-                 && ways.acrossFrom(g, h, ahead) == 1
-                )
+                nAcross == 1 && gasBehind[g]
+             && ways.acrossFrom(g, h, ahead) == 1
             )
             {
                 std::vector<double>& way =
