@@ -78,15 +78,17 @@ Foam::shockAlignment::shockAlignment(fvMesh& mesh, const dictionary& dict)
     }
 
     // Where the shock is several cells off its place within the band, cells
-    // at its two sides are crossed, and all behind feel it
+    // at its two sides are crossed, and all behind feel it. What is left of
+    // its waves is to fall with the square of the cells, as other errors do
     const scalarField x(spacing(outer_, bandWidth_));
     label i = 0;
     while (x[i + 1] < 1)
     {
         i++;
     }
-    const scalar third = (x[i + 1] - x[i])/3;
-    tolerance_ = getNumber(dict, "tolerance", "(0, 1)", third);
+    const scalar cell = x[i + 1] - x[i];
+    const scalar share = min(1.0/3, 100*cell);
+    tolerance_ = getNumber(dict, "tolerance", "(0, 1)", share*cell);
 
     forAll(lines_, linei)
     {
