@@ -245,15 +245,16 @@ bool Foam::steadySolution::solve(const bool near)
 {
     Info<< "Gas: looking for the steady state" << endl;
 
-    // Differences of 1 % between cells pass the limiter: at a stagnation point
-    // pressure and velocity are level on one side of a cell
-    equations_.smoothLimiter(1e-2);
-
     // Flat shocks would be felt where they meet a layer of friction: it would
     // come off a plate before a ramp far too late. There they help on the way
     // alone.
     const bool flat = !equations_.sticks();
     equations_.flattenShocks(flat);
+
+    // Small differences between cells pass the limiter: at a stagnation point
+    // pressure and velocity are level on one side of a cell. Those within a
+    // layer of friction are to be limited as in time.
+    equations_.smoothLimiter(flat ? 1e-2 : 1e-3);
 
     if (settings_.implicit)
     {
