@@ -143,6 +143,12 @@ void Foam::gasEquations::setSchemes()
     Info<< nl << "Gas: " << geometry_.nDim() << "-D, "
         << returnReduce(geometry_.nCells(), sumOp<label>()) << " cells"
         << endl;
+    if (geometry_.scattered())
+    {
+        Info<< "Gas: neighbouring cells have numbers far apart. With"
+            << " 'renumberMesh -overwrite' before the first run the gas is up"
+            << " to 1.7 times as fast" << endl;
+    }
 }
 
 

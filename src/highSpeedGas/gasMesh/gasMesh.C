@@ -244,6 +244,20 @@ void Foam::gasMesh::setCells()
 }
 
 
+bool Foam::gasMesh::scattered() const
+{
+    // Numbered layer after layer, neighbours are half a layer apart in the mean
+    const int nLong = axis.empty() ? nDim_ : 2;
+    const double layer = std::pow(double(nCells_), 1 - 1.0/nLong);
+    double sum = 0;
+    for (label f = 0; f < nInternal_; f++)
+    {
+        sum += std::abs(owner[f] - far[f]);
+    }
+    return returnReduce(sum > 3*layer*nInternal_, orOp<bool>());
+}
+
+
 Foam::gasMesh::gasMesh(const fvMesh& mesh)
 :
     mesh_(mesh)
@@ -251,7 +265,6 @@ Foam::gasMesh::gasMesh(const fvMesh& mesh)
     setDirections();
     setPatches();
     setFaces();
-    setOrder();
     setImages();
     setGasBehind();
     sendBuffer_.setSize(mesh.boundaryMesh().size());

@@ -169,19 +169,19 @@ inline void Foam::ImplicitGaussSeidel::relax(const label celli)
 template<int nDim>
 void Foam::ImplicitGaussSeidel::sweep()
 {
-    const std::vector<int>& order = gas_.geometry().order;
+    const label nCells = gas_.geometry().nCells();
 
     std::fill(change_.begin(), change_.end(), 0);
     for (int k = 0; k < nSweeps_; k++)
     {
-        for (auto c = order.begin(); c != order.end(); ++c)
+        for (label c = 0; c < nCells; c++)
         {
-            relax<nDim>(*c);
+            relax<nDim>(c);
         }
         gas_.geometry().exchange(change_.data(), stride_);
-        for (auto c = order.rbegin(); c != order.rend(); ++c)
+        for (label c = nCells - 1; c >= 0; c--)
         {
-            relax<nDim>(*c);
+            relax<nDim>(c);
         }
         gas_.geometry().exchange(change_.data(), stride_);
     }

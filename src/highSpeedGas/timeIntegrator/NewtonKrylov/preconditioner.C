@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "NewtonKrylov.H"
+#include "bandCompression.H"
 #include <algorithm>
 
 namespace Foam
@@ -256,7 +257,29 @@ void Foam::NewtonKrylov::setOrder()
 {
     const gasMesh& mesh = gas_.geometry();
 
-    const labelList order(mesh.compressedOrder());
+    labelListList neighbours(nCells_);
+    {
+        labelList n(nCells_, Zero);
+        for (label f = 0; f < mesh.nInternal(); f++)
+        {
+            n[mesh.owner[f]]++;
+            n[mesh.far[f]]++;
+        }
+        forAll(neighbours, c)
+        {
+            neighbours[c].setSize(n[c]);
+        }
+        n = 0;
+        for (label f = 0; f < mesh.nInternal(); f++)
+        {
+            const label o = mesh.owner[f];
+            const label r = mesh.far[f];
+            neighbours[o][n[o]++] = r;
+            neighbours[r][n[r]++] = o;
+        }
+    }
+
+    const labelList order(bandCompression(neighbours));
     cellOf_.assign(order.begin(), order.end());
     rowOf_.resize(nCells_);
     for (label r = 0; r < nCells_; r++)
@@ -268,14 +291,11 @@ void Foam::NewtonKrylov::setOrder()
     diagonal_.resize(nCells_);
     for (label r = 0; r < nCells_; r++)
     {
-        const int c = cellOf_[r];
+        const labelList& cells = neighbours[cellOf_[r]];
         std::vector<int> columns(1, r);
-        for (int i = mesh.cellStart[c]; i < mesh.cellStart[c + 1]; i++)
+        for (const label c : cells)
         {
-            if (mesh.neighbour[i] < nCells_)
-            {
-                columns.push_back(rowOf_[mesh.neighbour[i]]);
-            }
+            columns.push_back(rowOf_[c]);
         }
         std::sort(columns.begin(), columns.end());
         columns.erase
