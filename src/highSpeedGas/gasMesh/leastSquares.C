@@ -97,7 +97,8 @@ void Foam::gasMesh::setLeastSquares(const boolList& excluded)
                 symmTensor(m.xx(), m.xy(), 0, m.yy(), 0, 4*(m.xx() + m.yy()))
             )
         );
-        // (in ascending order)
-        flat[c] = spread[0] < 0.1*spread[nDim_ - 1];
+        // (in ascending order; of a regular tetrahedron with one face on a wall
+        // the ratio is a quarter)
+        flat[c] = spread[0] < 0.2*spread[nDim_ - 1];
     }
 }
