@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <iomanip>
+#include <numeric>
 #include <sstream>
 
 #include <sys/resource.h>
@@ -110,6 +111,11 @@ std::string Foam::runSummary::rankTable() const
     };
     gather(columns[0], processorTime::now());
     gather(columns[1], used.ru_maxrss/1024.0);
+
+    // Of what has been measured: to start and to wait may take longer than
+    // the run itself where processors are shared
+    scalarList measured;
+    gather(measured, std::accumulate(times_.begin(), times_.end(), scalar(0)));
     for (std::size_t i = 0; i < tasks_.size(); ++i)
     {
         const task& t = tasks_[i];
@@ -123,7 +129,7 @@ std::string Foam::runSummary::rankTable() const
         scalarList times;
         gather(times, t.time);
         const bool counts =
-            sum(steps) > 1e5 && times[most] > 0.2*columns[0][most];
+            sum(steps) > 1e5 && times[most] > 0.2*measured[most];
         if (counts && steps[most] >= 2*mean)
         {
             WarningInFunction

@@ -12,8 +12,7 @@ from caseTools import (box, copy_case, decompose, edit, must, read_field,
                        solve, times_of, verdict, write_block, write_case,
                        write_field, write_foam)
 
-# So many that their flight takes most of the time, on any machine: a warning
-# needs a fifth
+# A warning needs a fifth of the time that gas, cloud and writing take
 N, STEPS = 30000, 400
 CLOUD = """
 type spinningKinematicCloud;
