@@ -5,6 +5,7 @@
 #include "sphereTransfer.H"
 #include "maxwellian.H"
 #include "outOfRange.H"
+#include "sphereState.H"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,32 @@ namespace
     double relaxed(double x)
     {
         return x > 1e-300 ? -std::expm1(-x)/x : 1;
+    }
+
+    //- (1 - exp(-z))/z, z = x + i y: of motion that decays by x and turns by
+    //  the angle y about the axis meanwhile, applied to a vector
+    impact::vector3 relaxed
+    (
+        double x,
+        double y,
+        const impact::vector3& axis,
+        const impact::vector3& F
+    )
+    {
+        const impact::vector3 along = dot(F, axis)*axis;
+        const double square = x*x + y*y;
+        if (!(square > 1e-200))
+        {
+            return F;
+        }
+        const double half = std::sin(0.5*y);
+        const double left = std::exp(-x);
+        const double a = 2*half*half - std::expm1(-x)*std::cos(y);
+        const double b = left*std::sin(y);
+        return
+            relaxed(x)*along
+          + ((a*x + b*y)/square)*(F - along)
+          + ((b*x - a*y)/square)*cross(axis, F);
     }
 }
 
@@ -116,4 +143,70 @@ void impact::sphereTransfer::advance
     const double x = r.coolingRate*perHeat;
     s.temperature =
         s.temperature*std::exp(-x) + perHeat*relaxed(x)*r.heating;
+}
+
+
+impact::sphereTransfer::spinRates impact::sphereTransfer::onSpin
+(
+    const sphere& s,
+    double density
+) const
+{
+    const double p[3] = {s.velocity.x, s.velocity.y, s.velocity.z};
+    const transferKernels::spinSums sums = transferKernels::sumSpin(gas_, p);
+    const double* axes = sums.axes;
+    const double f = accommodation_*M_PI*density*std::pow(s.radius, 3);
+    spinRates q;
+    for (int i = 0; i < 6; ++i)
+    {
+        const double all = i < 3 ? 3*(axes[0] + axes[1] + axes[2]) : 0;
+        q.damping[i] = 0.25*f*s.radius*(all - axes[i]);
+    }
+    const double lift = 2./3*f;
+    q.lift =
+    {
+        lift*sums.momentum[0], lift*sums.momentum[1], lift*sums.momentum[2]
+    };
+    q.lag = lift*sums.mass;
+    return q;
+}
+
+
+void impact::sphereTransfer::advance
+(
+    sphere& s,
+    const rates& r,
+    const spinRates& q,
+    double deltaT
+) const
+{
+    const double perMass = deltaT/s.mass;
+    const double perInertia = perMass/sphereInertia(s.radius);
+    const double decay =
+        perInertia*(q.damping[0] + q.damping[1] + q.damping[2])/3;
+    const auto rest = [&](const vector3& omega)
+    {
+        return perInertia*q.damp(omega) - decay*omega;
+    };
+    const vector3 omega = s.omega;
+    const vector3 first = rest(omega);
+    s.omega = std::exp(-decay)*(omega - first + 0.5*rest(first));
+
+    const vector3 mean = relaxed(decay)*omega;
+    const double speed = mag(mean);
+    const vector3 force = r.force + cross(mean, q.lift);
+    s.velocity = s.velocity + perMass*relaxed
+    (
+        r.dragRate*perMass, q.lag*speed*perMass,
+        speed > 0 ? (1/speed)*mean : vector3{0, 0, 0}, force
+    );
+
+    const double perHeat = perMass/specificHeat_;
+    const double lost =
+        sphereRotationalEnergy(s.radius, omega)
+      - sphereRotationalEnergy(s.radius, s.omega);
+    const double x = r.coolingRate*perHeat;
+    s.temperature =
+        s.temperature*std::exp(-x)
+      + relaxed(x)*(perHeat*r.heating + 0.5*lost/specificHeat_);
 }
