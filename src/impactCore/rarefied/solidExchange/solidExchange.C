@@ -5,6 +5,7 @@
 #include "solidExchange.H"
 #include "maxwellian.H"
 #include "outOfRange.H"
+#include "sphereState.H"
 
 #include <cmath>
 #include <sstream>
@@ -76,6 +77,27 @@ void impact::solidExchange::correct
 }
 
 
+std::string impact::solidExchange::whyNoSpin() const
+{
+    return
+        correction_
+      ? "knudsenCorrection knows no torque for all Knudsen numbers"
+      : law_ != sphereReflection::law::exact
+      ? "deflection polynomial knows no point that a molecule hits" : "";
+}
+
+
+void impact::solidExchange::rotate()
+{
+    const std::string why = whyNoSpin();
+    if (!why.empty())
+    {
+        throwInvalid("rotation yes: ", why, "; rotation no follows no spin");
+    }
+    rotates_ = true;
+}
+
+
 void impact::solidExchange::setTrials(int trials)
 {
     checkRange("trials", trials, "[1, 1000]");
@@ -112,6 +134,89 @@ impact::solidExchange::bound impact::solidExchange::findBound
         greatest = square > greatest ? square : greatest;
     }
     return {mean, std::sqrt(greatest)};
+}
+
+
+double impact::solidExchange::share
+(
+    const arrival& a,
+    double motion,
+    sphereTransfer::sphere& s,
+    double& internal,
+    counterRandom& rnd
+) const
+{
+    // The molecule's energy is a part of all energy of the pair, as its
+    // degrees of freedom are of theirs
+    const double capacity = a.share*material_.specificHeat;
+    const double all = motion + a.weight*internal + capacity*s.temperature;
+    const double out = all*maxwellian::betaVariate
+    (
+        2 + 0.5*a.zeta, capacity/(a.weight*maxwellian::boltzmann), rnd
+    );
+    const double turning =
+        a.zeta ? maxwellian::betaVariate(0.5*a.zeta, 2, rnd) : 0;
+    internal = out*turning/a.weight;
+    s.temperature = (all - out)/capacity;
+    return out*(1 - turning);
+}
+
+
+impact::vector3 impact::solidExchange::reflected
+(
+    const arrival& a,
+    sphereTransfer::sphere& s,
+    double& internal,
+    counterRandom& rnd
+) const
+{
+    const vector3 incident = (1/a.c)*a.relative;
+    if (a.share > 0 && rotates_)
+    {
+        // Motion of the surfaces at the point of impact, towards and past
+        // each other
+        const vector3 n = sphereReflection::normalHit(incident, rnd);
+        const double perInertia = 1/(sphereInertia(s.radius)*a.share);
+        const double past = 1/(1/a.reduced + s.radius*s.radius*perInertia);
+        const vector3 g = a.relative - s.radius*cross(s.omega, n);
+        const double gn = dot(g, n);
+        const vector3 gt = g - gn*n;
+        const double E = share
+        (
+            a, 0.5*(a.reduced*gn*gn + past*dot(gt, gt)), s, internal, rnd
+        );
+        const vector3 e = sphereReflection::aboutNormal(n, rnd);
+        const double en = dot(e, n);
+        const vector3 impulse =
+            (std::sqrt(2*E*a.reduced)*en - a.reduced*gn)*n
+          + std::sqrt(2*E*past)*(e - en*n) - past*gt;
+        s.omega = s.omega - (s.radius*perInertia)*cross(n, impulse);
+        return a.relative + (1/a.reduced)*impulse;
+    }
+
+    double speed;
+    if (a.share > 0)
+    {
+        const double motion = 0.5*a.reduced*a.c*a.c;
+        speed = std::sqrt(2*share(a, motion, s, internal, rnd)/a.reduced);
+    }
+    else
+    {
+        const double kT = maxwellian::boltzmann*s.temperature;
+        speed = std::sqrt
+        (
+            -2*kT/a.molecule*std::log(rnd.uniform()*rnd.uniform())
+        );
+        internal = a.zeta ? kT*maxwellian::internalEnergy(a.zeta, rnd) : 0;
+    }
+    if (dot(s.omega, s.omega) > 0)
+    {
+        const vector3 n = sphereReflection::normalHit(incident, rnd);
+        return
+            speed*sphereReflection::aboutNormal(n, rnd)
+          + s.radius*cross(s.omega, n);
+    }
+    return speed*sphereReflection::diffuse(law_, incident, rnd);
 }
 
 
@@ -155,45 +260,14 @@ void impact::solidExchange::scatter
         const double internalBefore = internal;
         const double own = weight*m;
         const double reduced = both ? own*share/(own + share) : own;
-        vector3 leaving;
-        if (rnd.uniform() < material_.accommodation)
+        const arrival a
         {
-            double speed;
-            if (both)
-            {
-                // The molecule's energy is a part of all energy of the pair,
-                // as its degrees of freedom are of theirs
-                const double capacity = share*material_.specificHeat;
-                const double all =
-                    0.5*reduced*c*c + weight*internal
-                  + capacity*s.temperature;
-                const double out = all*maxwellian::betaVariate
-                (
-                    2 + 0.5*zeta, capacity/(weight*maxwellian::boltzmann), rnd
-                );
-                const double turning =
-                    zeta ? maxwellian::betaVariate(0.5*zeta, 2, rnd) : 0;
-                internal = out*turning/weight;
-                speed = std::sqrt(2*out*(1 - turning)/reduced);
-                s.temperature = (all - out)/capacity;
-            }
-            else
-            {
-                const double kT = maxwellian::boltzmann*s.temperature;
-                speed = std::sqrt
-                (
-                    -2*kT/m*std::log(rnd.uniform()*rnd.uniform())
-                );
-                internal =
-                    zeta ? kT*maxwellian::internalEnergy(zeta, rnd) : 0;
-            }
-            leaving = speed
-               *sphereReflection::diffuse(law_, (1/c)*relative, rnd);
-        }
-        else
-        {
-            leaving = c*sphereReflection::specular(rnd);
-        }
+            relative, c, m, weight, both ? share : 0, reduced, zeta
+        };
+        const vector3 leaving =
+            rnd.uniform() < material_.accommodation
+          ? reflected(a, s, internal, rnd)
+          : c*sphereReflection::specular(rnd);
 
         vector3 after = s.velocity + leaving;
         if (both)
@@ -232,6 +306,57 @@ void impact::solidExchange::scatter
 }
 
 
+void impact::solidExchange::advance
+(
+    sphereTransfer::sphere& s,
+    const knudsenCorrection::factors& f,
+    double density,
+    double deltaT
+) const
+{
+    sphereTransfer::rates r = transfer_.on(s, density);
+    r.force = f.force*r.force;
+    r.dragRate *= f.force;
+    r.heating *= f.heating;
+    r.coolingRate *= f.cooling;
+    if (dot(s.omega, s.omega) > 0)
+    {
+        transfer_.advance(s, r, transfer_.onSpin(s, density), deltaT);
+    }
+    else
+    {
+        transfer_.advance(s, r, deltaT);
+    }
+}
+
+
+impact::balance impact::solidExchange::gained
+(
+    const sphereTransfer::sphere& s,
+    const sphereTransfer::sphere& before,
+    double number
+) const
+{
+    const double mass = number*s.mass;
+    const vector3 dv = s.velocity - before.velocity;
+    balance b
+    {
+        mass*dv,
+        mass
+       *(
+            0.5*dot(dv, s.velocity + before.velocity)
+          + material_.specificHeat*(s.temperature - before.temperature)
+        )
+    };
+    if (rotates_)
+    {
+        b.energy += 0.5*mass*sphereInertia(s.radius)
+           *dot(s.omega - before.omega, s.omega + before.omega);
+    }
+    return b;
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 double impact::solidExchange::minNumber(int group, double weight) const
@@ -254,6 +379,13 @@ impact::balance impact::solidExchange::of(const spheres& solids) const
         b.momentum = b.momentum + mass*v;
         b.energy += mass
            *(0.5*dot(v, v) + material_.specificHeat*solids.temperature[j]);
+        if (rotates_)
+        {
+            b.energy += mass*sphereRotationalEnergy
+            (
+                sizes_[solids.group[j]].radius, solids.omega[j]
+            );
+        }
     }
     return b;
 }
@@ -312,9 +444,13 @@ impact::solidExchange::gains impact::solidExchange::exchange
         {
             const size& shape = sizes_[solids.group[j]];
             const bool both = body(j);
-            const vector3 v0{solids.u[j], solids.v[j], solids.w[j]};
-            const double T0 = solids.temperature[j];
-            sphereTransfer::sphere s{v0, T0, shape.radius, shape.mass};
+            const sphereTransfer::sphere before
+            {
+                {solids.u[j], solids.v[j], solids.w[j]},
+                solids.temperature[j], shape.radius, shape.mass,
+                rotates_ ? solids.omega[j] : vector3{0, 0, 0}
+            };
+            sphereTransfer::sphere s = before;
             knudsenCorrection::factors f;
             if (correction_)
             {
@@ -324,7 +460,7 @@ impact::solidExchange::gains impact::solidExchange::exchange
             if (twoWay())
             {
                 hits += f.force*solids.number[j]*M_PI*shape.radius*shape.radius
-                   *(mag(v0 - b.mean) + b.thermal)*deltaT/volume;
+                   *(mag(s.velocity - b.mean) + b.thermal)*deltaT/volume;
                 if (!(hits < hitLimit))
                 {
                     throwOutOfRange
@@ -344,26 +480,17 @@ impact::solidExchange::gains impact::solidExchange::exchange
             }
             if (!both)
             {
-                sphereTransfer::rates r = transfer_.on(s, weight/volume);
-                r.force = f.force*r.force;
-                r.dragRate *= f.force;
-                r.heating *= f.heating;
-                r.coolingRate *= f.cooling;
-                transfer_.advance(s, r, deltaT);
+                advance(s, f, weight/volume, deltaT);
             }
             solids.u[j] = s.velocity.x;
             solids.v[j] = s.velocity.y;
             solids.w[j] = s.velocity.z;
             solids.temperature[j] = s.temperature;
-
-            const double mass = solids.number[j]*shape.mass;
-            const vector3 dv = s.velocity - v0;
-            g.solids.momentum = g.solids.momentum + mass*dv;
-            g.solids.energy += mass
-               *(
-                    0.5*dot(dv, s.velocity + v0)
-                  + material_.specificHeat*(s.temperature - T0)
-                );
+            if (rotates_)
+            {
+                solids.omega[j] = s.omega;
+            }
+            g.solids += gained(s, before, solids.number[j]);
         }
         total.maxHits = std::fmax(total.maxHits, hits);
     }

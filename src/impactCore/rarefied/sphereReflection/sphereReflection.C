@@ -23,6 +23,25 @@ namespace
     {
         return std::sqrt(x > 0 ? x : 0);
     }
+
+    //- A direction at an angle to an axis, anywhere around it
+    impact::vector3 around
+    (
+        const impact::vector3& axis,
+        double cosine,
+        impact::counterRandom& rnd
+    )
+    {
+        const impact::vector3 other = std::fabs(axis.x) < 0.6
+          ? impact::vector3{1, 0, 0} : impact::vector3{0, 1, 0};
+        const impact::vector3 side = cross(axis, other);
+        const impact::vector3 first = (1/mag(side))*side;
+        const impact::vector3 second = cross(axis, first);
+        double s, c;
+        impact::sinCosTurns(rnd.uniform(), s, c);
+        const double sine = root(1 - cosine*cosine);
+        return cosine*axis + (sine*c)*first + (sine*s)*second;
+    }
 }
 
 
@@ -63,16 +82,29 @@ impact::vector3 impact::sphereReflection::diffuse
         cosine = std::cos(x);
     }
 
-    const vector3 back = -incident;
-    const vector3 other = std::fabs(back.x) < 0.6
-      ? vector3{1, 0, 0} : vector3{0, 1, 0};
-    const vector3 side = cross(back, other);
-    const vector3 first = (1/mag(side))*side;
-    const vector3 second = cross(back, first);
-    double s, c;
-    sinCosTurns(rnd.uniform(), s, c);
-    const double sine = root(1 - cosine*cosine);
-    return cosine*back + (sine*c)*first + (sine*s)*second;
+    return around(-incident, cosine, rnd);
+}
+
+
+impact::vector3 impact::sphereReflection::normalHit
+(
+    const vector3& incident,
+    counterRandom& rnd
+)
+{
+    const double cosine = std::sqrt(rnd.uniform());
+    return around(-incident, cosine, rnd);
+}
+
+
+impact::vector3 impact::sphereReflection::aboutNormal
+(
+    const vector3& normal,
+    counterRandom& rnd
+)
+{
+    const double cosine = std::sqrt(rnd.uniform());
+    return around(normal, cosine, rnd);
 }
 
 
