@@ -81,6 +81,10 @@ void Foam::particleArray<Payload>::walk
                 const impact::vector3 n = cells_.normal(place);
                 const impact::vector3 all = velocity(i);
                 setVelocity(i, all - 2*dot(all, n)*n);
+                turnAxial(i, [&n](const impact::vector3& w)
+                {
+                    return 2*dot(w, n)*n - w;
+                });
                 u = track();
                 break;
             }
@@ -110,6 +114,11 @@ void Foam::particleArray<Payload>::walk
                         r.T & vector(u_[i], v_[i], w_[i]);
                     x = {to.x(), to.y(), to.z()};
                     setVelocity(i, {turned.x(), turned.y(), turned.z()});
+                    turnAxial(i, [&r](const impact::vector3& w)
+                    {
+                        const vector v = r.T & vector(w.x, w.y, w.z);
+                        return impact::vector3{v.x(), v.y(), v.z()};
+                    });
                     u = track();
                 }
                 else
