@@ -71,7 +71,7 @@ public:
     )
     {
         solidArray& particles = solids_.particles_;
-        const solidData& data = particles.payload();
+        solidData& data = particles.payload();
         const auto& face = solids_.cells_.boundary()[boundaryFacei];
         const label group = data.group[i];
         const vector Uw
@@ -92,6 +92,10 @@ public:
         parcel_.rho() = solids_.material_.density;
         parcel_.nParticle() = data.nParticle[i];
         parcel_.temperature() = data.T[i];
+        if (data.spins)
+        {
+            parcel_.omega() = fromCore(data.omega[i]);
+        }
         parcel_.origProc() = data.origProc[i];
         parcel_.origId() = data.origId[i];
         ++solids_.hits_;
@@ -123,6 +127,10 @@ public:
             }
         }
         particles.setVelocity(i, toCore(parcel_.U()));
+        if (data.spins)
+        {
+            data.omega[i] = toCore(parcel_.omega());
+        }
         return true;
     }
 };
@@ -153,7 +161,9 @@ impact::solidExchange::spheres Foam::solidParticles::spheresOf
         particles_.w() + first,
         particles_.payload().T.data() + first,
         particles_.payload().nParticle.data() + first,
-        particles_.payload().group.data() + first
+        particles_.payload().group.data() + first,
+        particles_.payload().spins
+      ? particles_.payload().omega.data() + first : nullptr
     };
 }
 
@@ -220,6 +230,10 @@ void Foam::solidParticles::takeBack
         );
         data.T[i] = p->temperature();
         data.nParticle[i] = p->nParticle();
+        if (data.spins)
+        {
+            data.omega[i] = toCore(p->omega());
+        }
         data.origProc[i] = p->origProc();
         data.origId[i] = p->origId();
 
@@ -417,8 +431,8 @@ Foam::solidParticles::solidParticles
         properties_,
         {
             "material", "groups", "accommodation", "exchange", "deflection",
-            "knudsenCorrection", "realPerSimulator", "fills", "inflows",
-            "walls", "cloudFunctions", "sampling", "interface",
+            "knudsenCorrection", "rotation", "realPerSimulator", "fills",
+            "inflows", "walls", "cloudFunctions", "sampling", "interface",
             "reportEvery", "randomSeed"
         }
     );
@@ -427,6 +441,7 @@ Foam::solidParticles::solidParticles
     Info<< "Solid particles" << nl;
     readGroups();
     readExchange();
+    readRotation();
     inflow_.reset(new solidInflow(properties_, cells, gas, groups_));
     readParticles();
     readTallies();

@@ -192,6 +192,68 @@ void Foam::solidParticles::readCorrection()
 }
 
 
+void Foam::solidParticles::readRotation()
+{
+    const word name("rotation");
+    const string why(exchange_->whyNoSpin());
+    const bool given =
+        solidWalls::giveSpin(properties_, mesh_.boundaryMesh());
+    const bool spins =
+        properties_.getOrDefault<Switch>(name, given && why.empty());
+    if (spins)
+    {
+        checked
+        (
+            properties_,
+            [&]
+            {
+                exchange_->rotate();
+                return true;
+            }
+        );
+    }
+    Info<< "    spin: " << (spins ? "followed" : "not followed, ");
+    if (!spins)
+    {
+        Info<< (
+                properties_.found(name) ? "rotation no"
+              : given ? why.c_str() : "no wall gives any"
+            );
+    }
+    Info<< endl;
+
+    // As the models of the walls ask for it
+    properties_.set(name, word(spins ? "yes" : "no"));
+    particles_.payload().spins = spins;
+}
+
+
+bool Foam::solidParticles::readArrays()
+{
+    solidData& data = particles_.payload();
+    const bool spins = data.spins;
+    IOobject omega
+    (
+        lagrangianFile::file(mesh_, cloudName, "omega", IOobject::MUST_READ)
+    );
+    data.spins =
+        spins
+     && returnReduce
+        (
+            omega.typeHeaderOk<IOField<vector>>(true), orOp<bool>()
+        );
+    const bool found = lagrangianFile::read(mesh_, cloudName, particles_);
+    if (found && spins && !data.spins)
+    {
+        Info<< "    no spin at the start: " << mesh_.time().timeName()
+            << "/lagrangian/" << cloudName << " has no file omega" << endl;
+    }
+    data.omega.resize(spins ? particles_.size() : 0, {0, 0, 0});
+    data.spins = spins;
+    return found;
+}
+
+
 void Foam::solidParticles::readLedger()
 {
     const auto present = [&](const label k)
@@ -227,8 +289,7 @@ void Foam::solidParticles::readLedger()
 
 void Foam::solidParticles::readParticles()
 {
-    const bool found = lagrangianFile::read(mesh_, cloudName, particles_);
-    if (!found)
+    if (!readArrays())
     {
         inflow_->fill(particles_, seed_);
         name(0);

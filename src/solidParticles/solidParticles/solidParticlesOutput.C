@@ -81,6 +81,16 @@ void Foam::solidParticles::report()
         << " real ones, " << now.mass << " kg" << nl
         << "    solids gain: " << perTime*fromCore(g.solids.momentum)
         << " N, " << perTime*g.solids.energy << " W" << nl;
+    if (particles_.payload().spins)
+    {
+        scalar fastest = 0;
+        for (const impact::vector3& w : particles_.payload().omega)
+        {
+            fastest = max(fastest, dot(w, w));
+        }
+        reduce(fastest, maxOp<scalar>());
+        Info<< "    greatest spin: " << Foam::sqrt(fastest) << " rad/s" << nl;
+    }
     if (c.minForce < 1)
     {
         Info<< "    least force over the free-molecular one: "

@@ -203,6 +203,34 @@ Foam::solidWalls::solidWalls
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+bool Foam::solidWalls::giveSpin
+(
+    const dictionary& dict,
+    const polyBoundaryMesh& patches
+)
+{
+    const wordList others{"specular", "stick", "escape"};
+    for (const dictionary* d : settingsOf(dict, patches))
+    {
+        if (!d || others.found(d->getOrDefault<word>("type", "")))
+        {
+            continue;
+        }
+        const entry* friction = d->findEntry("friction", keyType::LITERAL);
+        const ITstream* value =
+            friction && friction->isStream() ? &friction->stream() : nullptr;
+        const bool none =
+            value && value->size() && (*value)[0].isNumber()
+         && (*value)[0].number() == 0;
+        if (!none)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
 Foam::solidWalls::fate Foam::solidWalls::meet
 (
     solidParcel& p,
