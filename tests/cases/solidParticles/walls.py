@@ -141,8 +141,9 @@ verdict("jkrAdhesion_layerIsWhatWasDeposited", abs(held/stuck - 1) < 1e-12,
 differ = restarts("adheres")
 verdict("jkrAdhesion_restart", not differ, f"differ: {differ[:5]}")
 
-# --- what comes off the layer flies again, with its size and in the balance
-beam("comesOff", WALL + LAYER, (10*speed, 0, 0), steps=600,
+# --- what comes off the layer flies again, with its size, in the balance, and
+# with the spin of a sphere that one push at its side moves, 5/2 v/r
+beam("comesOff", WALL + LAYER, (10*speed, 3*speed, 0), steps=600,
      more="fills { layer { region box; box (0.015 0 0) (0.02 0.01 0.01);"
      f" concentration 0.5; velocity ({0.5*speed!r} 0 0); temperature 400;"
      " simulators 2000; } }\n")
@@ -152,6 +153,10 @@ s = read_solids("comesOff", times_of("comesOff")[-1])
 released = s["origProcId"] == 1000000
 detached = re.findall(r"detached particles += (\S+)", log)
 mass = (RHO*np.pi/6*s["d"]**3*s["nParticle"]).sum()
+spin = read_field(f"comesOff/{times_of('comesOff')[-1]}/lagrangian/solids/"
+                  "omega")[released]
+off = np.abs(spin[:, 2] + 5*s["U"][released, 1]/s["d"][released]).max() \
+    / np.abs(spin).max()
 stuck, entered, left, initial = (
     kept("comesOff", k) for k in ("stuck", "entered", "left", "initial"))
 held = layer("comesOff")
@@ -159,9 +164,11 @@ verdict("jkrAdhesion_releases", released.sum() > 10
         and float(detached[-1]) > 0
         and set(np.round(s["d"][released]*1e6, 9)) <= {10., 20.}
         and (s["U"][released, 0] < 0).all()
+        and spin[:, 2].min() < -1e5 and off < 1e-6
         and abs(held/stuck - 1) < 1e-12
         and abs((mass + stuck + left)/(entered + initial) - 1) < 1e-12,
         f"{released.sum()} in flight of {detached[-1:]} real ones detached,"
+        f" spins to {spin[:, 2].min():.3g} rad/s, off by {off:.1e},"
         f" layer {held:.6e} of {stuck:.6e} kg")
 differ = restarts("comesOff")
 verdict("jkrAdhesion_releasesRestart", not differ, f"differ: {differ[:5]}")
