@@ -241,6 +241,19 @@ bool Foam::steadySolution::converge
 }
 
 
+void Foam::steadySolution::solveRoughly()
+{
+    Info<< "Gas: looking for the steady state with first-order fluxes" << endl;
+    equations_.flattenShocks(true);
+    equations_.roughen(true);
+    ImplicitGaussSeidel implicit(equations_, nSweeps);
+    approach(implicit, settings_.maxCo);
+    equations_.roughen(false);
+    Info<< "Gas: left after " << iterations_ << " iterations, imbalance of "
+        << imbalance_ << endl;
+}
+
+
 bool Foam::steadySolution::solve(const bool near)
 {
     Info<< "Gas: looking for the steady state" << endl;
@@ -258,9 +271,7 @@ bool Foam::steadySolution::solve(const bool near)
 
     if (settings_.implicit)
     {
-        // Four symmetric sweeps: more buy fewer steps, but not fewer
-        // operations
-        ImplicitGaussSeidel implicit(equations_, 4);
+        ImplicitGaussSeidel implicit(equations_, nSweeps);
         std::unique_ptr<NewtonKrylov> newton;
         scalar Co = settings_.maxCo;
         bool decays = false;
