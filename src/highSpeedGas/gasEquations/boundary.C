@@ -250,15 +250,24 @@ void Foam::gasEquations::wallPressure(const label f, double& p) const
     // wall varies by more than itself
     p = pc + max(-0.5*pc, min(0.5*pc, change));
 
-    // In a cell whose gradient is its neighbours' the gas could flow into the
-    // wall without being stopped: the wall sends back the acoustic wave that
-    // stops it
-    if (geometry_.flat[c])
+    // On tetrahedra the gas could flow to and from the wall without being
+    // stopped: the wall sends back the acoustic wave that stops the velocity
+    // that the gradient gives there, or that of the cell if the gradient is
+    // its neighbours'
+    if (geometry_.isUnaligned[c])
     {
         double a;
-        const double un = outwardSpeed(f, &primitive[c*nVar_], a);
+        double un = outwardSpeed(f, &primitive[c*nVar_], a);
+        const double* n = &geometry_.normal[f*nDim];
+        for (int d = 0; d < nDim && !geometry_.flat[c]; d++)
+        {
+            for (int k = 0; k < nDim; k++)
+            {
+                un += g[d*nVar_ + 2 + k]*geometry_.toFace[f*nDim + d]*n[k];
+            }
+        }
         const double rho = pc/(eos_.R*primitive[c*nVar_ + 1]);
-        p += max(-0.5*pc, rho*a*un);
+        p += max(-0.5*pc, min(0.5*pc, rho*a*un));
     }
 }
 

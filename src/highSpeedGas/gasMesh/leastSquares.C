@@ -99,6 +99,6 @@ void Foam::gasMesh::setLeastSquares(const boolList& excluded)
         );
         // (in ascending order; of a regular tetrahedron with one face on a wall
         // the ratio is a quarter)
-        flat[c] = spread[0] < 0.2*spread[nDim_ - 1];
+        flat[c] = spread[0] < 0.1*spread[nDim_ - 1];
     }
 }

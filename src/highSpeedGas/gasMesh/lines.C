@@ -229,6 +229,7 @@ void Foam::gasMesh::setLines()
     const std::vector<double> fromOwner(alongOwner);
     const std::vector<double> toFar(alongFar);
     unaligned.clear();
+    isUnaligned.assign(nCells_, 0);
     for (label c = 0; c < nCells_; c++)
     {
         const waysOut ways(*this, fromOwner, toFar, c);
@@ -262,6 +263,7 @@ void Foam::gasMesh::setLines()
         if (!onLines)
         {
             unaligned.push_back(c);
+            isUnaligned[c] = 1;
         }
     }
     anyUnaligned = returnReduce(!unaligned.empty(), orOp<bool>());
