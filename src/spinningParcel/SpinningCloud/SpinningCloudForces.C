@@ -1,0 +1,186 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "CoreDragForce.H"
+#include "GravityForce.H"
+#include "MagnusForce.H"
+#include "NonInertialFrameForce.H"
+#include "NonSphereDragForce.H"
+#include "PressureGradientForce.H"
+#include "SaffmanMeiLiftForce.H"
+#include "SphereDragForce.H"
+#include "sphereDrag.H"
+#include "SRFForce.H"
+#include "SRFModel.H"
+#include "uniformDimensionedFields.H"
+#include "VirtualMassForce.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class CloudType>
+void Foam::SpinningCloud<CloudType>::setFrame
+(
+    const dictionary& coeffs,
+    impact::secondaryForces& forces
+) const
+{
+    bool any = false;
+    const auto take = [&](const word& entry, impact::vector3& value)
+    {
+        const word name(coeffs.getOrDefault<word>(entry, entry));
+        const auto* object =
+            this->mesh().template findObject<uniformDimensionedVectorField>
+            (
+                name
+            );
+        IOobject header
+        (
+            name, this->db().time().constant(), this->mesh(),
+            IOobject::MUST_READ
+        );
+        if
+        (
+            !object
+         && header.typeHeaderOk<uniformDimensionedVectorField>(true)
+        )
+        {
+            object = &regIOobject::store
+            (
+                new uniformDimensionedVectorField(header)
+            );
+        }
+        if (object)
+        {
+            any = true;
+            value = toCore(object->value());
+        }
+    };
+    take("linearAcceleration", forces.acceleration);
+    take("angularVelocity", forces.Omega);
+    take("angularAcceleration", forces.OmegaDot);
+    take("centreOfRotation", forces.centre);
+    if (!any)
+    {
+        FatalIOErrorInFunction(coeffs)
+            << "particle force nonInertialFrame: there is neither an object"
+            << " nor a file constant/linearAcceleration, angularVelocity,"
+            << " angularAcceleration or centreOfRotation (or as the entries of"
+            << " these names say)" << exit(FatalIOError);
+    }
+}
+
+
+template<class CloudType>
+void Foam::SpinningCloud<CloudType>::setRotatingFrame
+(
+    const dictionary& coeffs,
+    impact::secondaryForces& forces
+) const
+{
+    const word name("SRFProperties");
+    const auto* model =
+        this->mesh().template findObject<SRF::SRFModel>(name);
+    if (!model)
+    {
+        IOobject header
+        (
+            name, this->db().time().constant(), this->mesh(),
+            IOobject::MUST_READ
+        );
+        if (!header.typeHeaderOk<IOdictionary>(true))
+        {
+            FatalIOErrorInFunction(coeffs)
+                << "particle force SRF: there is no file constant/" << name
+                << exit(FatalIOError);
+        }
+        model = &regIOobject::store(SRF::SRFModel::New(this->U()).ptr());
+    }
+    if (forces.framed())
+    {
+        FatalIOErrorInFunction(coeffs)
+            << "particle forces SRF and nonInertialFrame: valid is one of them"
+            << exit(FatalIOError);
+    }
+    forces.buoyantFrame = true;
+    forces.Omega = toCore(model->omega().value());
+    forces.centre = toCore(model->origin().value());
+}
+
+
+template<class CloudType>
+typename Foam::SpinningCloud<CloudType>::coreForces
+Foam::SpinningCloud<CloudType>::coreForcesOf()
+{
+    typedef CoreDragForce<kinematicCloudType> dragType;
+    static const impact::sphereDrag stockDrag;
+
+    coreForces core;
+    core.all = torque_->standard() || !torque_->active();
+    for (const auto& force : this->forces())
+    {
+        if (isA<MagnusForce<kinematicCloudType>>(force))
+        {
+            core.magnus = true;
+            continue;
+        }
+        if (isA<GravityForce<kinematicCloudType>>(force))
+        {
+            core.gravity = true;
+            continue;
+        }
+        if (isA<VirtualMassForce<kinematicCloudType>>(force))
+        {
+            core.secondary.virtualMass = force.coeffs().getScalar("Cvm");
+            continue;
+        }
+        if (isA<PressureGradientForce<kinematicCloudType>>(force))
+        {
+            core.secondary.pressureGradient = true;
+            continue;
+        }
+        if (isA<SaffmanMeiLiftForce<kinematicCloudType>>(force))
+        {
+            core.secondary.shearLift = true;
+            continue;
+        }
+        if (isA<NonInertialFrameForce<kinematicCloudType>>(force))
+        {
+            setFrame(force.coeffs(), core.secondary);
+            continue;
+        }
+        if (isA<SRFForce<kinematicCloudType>>(force))
+        {
+            setRotatingFrame(force.coeffs(), core.secondary);
+            continue;
+        }
+        const dragType* law = dynamic_cast<const dragType*>(&force);
+        const bool first = !core.drag;
+        if (first && law)
+        {
+            core.gas = law->gas();
+            if (law->uniformGas())
+            {
+                core.drag = &law->drag();
+                core.gammaR = law->gammaR();
+            }
+        }
+        else if (first && isA<SphereDragForce<kinematicCloudType>>(force))
+        {
+            core.drag = &stockDrag;
+        }
+        else if (first && isA<NonSphereDragForce<kinematicCloudType>>(force))
+        {
+            if (!nonSphereDrag_)
+            {
+                impact::dragLaw::coefficients c;
+                c.numbers["sphericity"] = force.coeffs().getScalar("phi");
+                nonSphereDrag_ =
+                    impact::dragLaw::New("haiderLevenspielDrag", c);
+            }
+            core.drag = nonSphereDrag_.get();
+        }
+        core.all = core.all && first && core.drag;
+    }
+    return core;
+}
