@@ -22,6 +22,21 @@ Foam::steadySolution::steadySolution
 {}
 
 
+void Foam::steadySolution::setFluxes()
+{
+    // Flat shocks would be felt where they meet a layer of friction: it would
+    // come off a plate before a ramp far too late. There they help on the way
+    // alone.
+    const bool flat = !equations_.sticks();
+    equations_.flattenShocks(flat);
+
+    // Small differences between cells pass the limiter: at a stagnation point
+    // pressure and velocity are level on one side of a cell. Those within a
+    // layer of friction are to be limited as in time.
+    equations_.smoothLimiter(flat ? 1e-2 : 1e-3);
+}
+
+
 bool Foam::steadySolution::gasSteady() const
 {
     // Small imbalances of many cells of one sign may add up
@@ -243,6 +258,13 @@ bool Foam::steadySolution::converge
 
 void Foam::steadySolution::solveRoughly()
 {
+    setFluxes();
+    equations_.computeRate();
+    if (finished() || imbalance_.value() <= far)
+    {
+        solve(true);
+        return;
+    }
     Info<< "Gas: looking for the steady state with first-order fluxes" << endl;
     equations_.flattenShocks(true);
     equations_.roughen(true);
@@ -257,17 +279,7 @@ void Foam::steadySolution::solveRoughly()
 bool Foam::steadySolution::solve(const bool near)
 {
     Info<< "Gas: looking for the steady state" << endl;
-
-    // Flat shocks would be felt where they meet a layer of friction: it would
-    // come off a plate before a ramp far too late. There they help on the way
-    // alone.
-    const bool flat = !equations_.sticks();
-    equations_.flattenShocks(flat);
-
-    // Small differences between cells pass the limiter: at a stagnation point
-    // pressure and velocity are level on one side of a cell. Those within a
-    // layer of friction are to be limited as in time.
-    equations_.smoothLimiter(flat ? 1e-2 : 1e-3);
+    setFluxes();
 
     if (settings_.implicit)
     {
@@ -281,7 +293,7 @@ bool Foam::steadySolution::solve(const bool near)
         if
         (
             !finished()
-         && (imbalance_.value() > 0.05 || equations_.subsonicOutlet())
+         && (imbalance_.value() > far || equations_.subsonicOutlet())
         )
         {
             equations_.flattenShocks(true);
@@ -296,7 +308,7 @@ bool Foam::steadySolution::solve(const bool near)
             {
                 decays = approach(implicit, Co);
             }
-            equations_.flattenShocks(flat);
+            setFluxes();
             equations_.computeRate();
         }
         while (!finished())
