@@ -448,32 +448,20 @@ void Foam::highSpeedGas::publish(const bool asWritten)
 }
 
 
-Foam::autoPtr<Foam::steadySolution> Foam::highSpeedGas::newSolution
-(
-    const scalar residual
-)
-{
-    return autoPtr<steadySolution>
-    (
-        new steadySolution
-        (
-            *equations_,
-            {implicit_, stages_, maxCo_, residual, maxIterations_, reportEvery_}
-        )
-    );
-}
-
-
 bool Foam::highSpeedGas::findSteadyState
 (
     const scalar residual,
     const bool near
 )
 {
-    autoPtr<steadySolution> solution = newSolution(residual);
-    const bool steady = solution->solve(near);
-    state_.set("imbalance", solution->imbalance().value());
-    state_.set("iterations", solution->iterations());
+    steadySolution solution
+    (
+        *equations_,
+        {implicit_, stages_, maxCo_, residual, maxIterations_, reportEvery_}
+    );
+    const bool steady = solution.solve(near);
+    state_.set("imbalance", solution.imbalance().value());
+    state_.set("iterations", solution.iterations());
     return steady;
 }
 
@@ -513,47 +501,20 @@ void Foam::highSpeedGas::align(shockAlignment& alignment)
 
     const processorTime timer(cpuTime_);
 
-    // Where the shock is to be found first, with a band as wide as that is in
-    // doubt, first-order fluxes tell as well. It stands long before the last
-    // cell is at rest, but nothing less makes a mesh without kinks, which
-    // would be felt at the wall.
-    const scalar atRest = max(residual_, 1e-4);
-    scalar residual = max(residual_, 1e-3);
-    bool madeAtRest = false;
+    // The shock stands long before the last cell is at rest
+    const scalar residual = max(residual_, 1e-4);
     const sigFpe::ignore untrapped;
 
-    if (implicit_)
-    {
-        newSolution(residual)->solveRoughly();
-    }
-    else
-    {
-        findSteadyState(residual, false);
-    }
+    label round = 0;
+    findSteadyState(residual, false);
     publish();
-    for (;;)
+    while (!alignment.follows(thermo_->p()) && round < alignment.rounds())
     {
-        const bool follows = alignment.follows(thermo_->p());
-        if (follows && residual > atRest)
-        {
-            residual = atRest;
-        }
-        else if
-        (
-            (!follows || !madeAtRest)
-         && alignment.moves() < alignment.rounds()
-        )
-        {
-            alignment.move(thermo_->p(), thermo_->T(), U_);
-            setEquations(false);
-            madeAtRest = residual == atRest;
-        }
-        else
-        {
-            break;
-        }
+        alignment.move(thermo_->p(), thermo_->T(), U_);
+        setEquations(false);
         findSteadyState(residual, true);
         publish();
+        round++;
     }
     alignment.report();
     findSteadyState(residual_, true);
