@@ -137,7 +137,7 @@ impact::solidExchange::bound impact::solidExchange::findBound
 }
 
 
-double impact::solidExchange::share
+double impact::solidExchange::shareEnergy
 (
     const arrival& a,
     double motion,
@@ -148,7 +148,7 @@ double impact::solidExchange::share
 {
     // The molecule's energy is a part of all energy of the pair, as its
     // degrees of freedom are of theirs
-    const double capacity = a.share*material_.specificHeat;
+    const double capacity = a.sphereMass*material_.specificHeat;
     const double all = motion + a.weight*internal + capacity*s.temperature;
     const double out = all*maxwellian::betaVariate
     (
@@ -171,41 +171,42 @@ impact::vector3 impact::solidExchange::reflected
 ) const
 {
     const vector3 incident = (1/a.c)*a.relative;
-    if (a.share > 0 && rotates_)
+    if (a.sphereMass > 0 && rotates_)
     {
         // Motion of the surfaces at the point of impact, towards and past
         // each other
         const vector3 n = sphereReflection::normalHit(incident, rnd);
-        const double perInertia = 1/(sphereInertia(s.radius)*a.share);
-        const double past = 1/(1/a.reduced + s.radius*s.radius*perInertia);
+        const double perInertia = 1/(sphereInertia(s.radius)*a.sphereMass);
+        const double tangentialMass =
+            1/(1/a.reducedMass + s.radius*s.radius*perInertia);
         const vector3 g = a.relative - s.radius*cross(s.omega, n);
         const double gn = dot(g, n);
         const vector3 gt = g - gn*n;
-        const double E = share
-        (
-            a, 0.5*(a.reduced*gn*gn + past*dot(gt, gt)), s, internal, rnd
-        );
+        const double motion =
+            0.5*(a.reducedMass*gn*gn + tangentialMass*dot(gt, gt));
+        const double E = shareEnergy(a, motion, s, internal, rnd);
         const vector3 e = sphereReflection::aboutNormal(n, rnd);
         const double en = dot(e, n);
         const vector3 impulse =
-            (std::sqrt(2*E*a.reduced)*en - a.reduced*gn)*n
-          + std::sqrt(2*E*past)*(e - en*n) - past*gt;
+            (std::sqrt(2*E*a.reducedMass)*en - a.reducedMass*gn)*n
+          + std::sqrt(2*E*tangentialMass)*(e - en*n) - tangentialMass*gt;
         s.omega = s.omega - (s.radius*perInertia)*cross(n, impulse);
-        return a.relative + (1/a.reduced)*impulse;
+        return a.relative + (1/a.reducedMass)*impulse;
     }
 
     double speed;
-    if (a.share > 0)
+    if (a.sphereMass > 0)
     {
-        const double motion = 0.5*a.reduced*a.c*a.c;
-        speed = std::sqrt(2*share(a, motion, s, internal, rnd)/a.reduced);
+        const double motion = 0.5*a.reducedMass*a.c*a.c;
+        const double E = shareEnergy(a, motion, s, internal, rnd);
+        speed = std::sqrt(2*E/a.reducedMass);
     }
     else
     {
         const double kT = maxwellian::boltzmann*s.temperature;
         speed = std::sqrt
         (
-            -2*kT/a.molecule*std::log(rnd.uniform()*rnd.uniform())
+            -2*kT/a.moleculeMass*std::log(rnd.uniform()*rnd.uniform())
         );
         internal = a.zeta ? kT*maxwellian::internalEnergy(a.zeta, rnd) : 0;
     }
@@ -238,7 +239,7 @@ void impact::solidExchange::scatter
     const double expected =
         trials_*number*gas.n*M_PI*s.radius*s.radius*cMax*perVolume;
     const std::int64_t nCandidates = std::int64_t(expected + rnd.uniform());
-    const double share = number*s.mass;
+    const double sphereMass = number*s.mass;
     total.candidates += nCandidates;
 
     for (std::int64_t k = 0; k < nCandidates; ++k)
@@ -259,10 +260,10 @@ void impact::solidExchange::scatter
         double internal = zeta ? gas.internalEnergy[i] : 0;
         const double internalBefore = internal;
         const double own = weight*m;
-        const double reduced = both ? own*share/(own + share) : own;
+        const double reduced = both ? own*sphereMass/(own + sphereMass) : own;
         const arrival a
         {
-            relative, c, m, weight, both ? share : 0, reduced, zeta
+            relative, c, m, weight, both ? sphereMass : 0, reduced, zeta
         };
         const vector3 leaving =
             rnd.uniform() < material_.accommodation
@@ -274,7 +275,7 @@ void impact::solidExchange::scatter
         {
             const vector3 impulse = reduced*(leaving - relative);
             after = before + (1/own)*impulse;
-            s.velocity = s.velocity - (1/share)*impulse;
+            s.velocity = s.velocity - (1/sphereMass)*impulse;
         }
 
         const balance change
