@@ -164,7 +164,7 @@ void Foam::geometryFile::readGeometry(lagrangianFile::geometry& particles)
     const polyMesh& mesh = refCast<const polyMesh>(db());
     Istream& is = readStream(word::null);
     const bool ascii = is.format() == IOstream::ASCII;
-    if (!ascii && !(is.checkLabelSize<>() && is.checkScalarSize<>()))
+    if (!ascii && !(is.checkLabelSize<label>() && is.checkScalarSize<scalar>()))
     {
         FatalIOErrorInFunction(is)
             << "Numbers of another width than this program's;"

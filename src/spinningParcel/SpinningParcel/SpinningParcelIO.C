@@ -37,7 +37,7 @@ Foam::SpinningParcel<ParcelType>::SpinningParcel
         {
             is >> omega_ >> T_ >> nImpacts_ >> nEddies_;
         }
-        else if (!is.checkLabelSize<>() || !is.checkScalarSize<>())
+        else if (!is.checkLabelSize<label>() || !is.checkScalarSize<scalar>())
         {
             is.beginRawRead();
             readRawScalar(is, omega_.data(), vector::nComponents);
