@@ -134,7 +134,8 @@ bool Foam::NewtonKrylov::solve
     std::vector<double>& change
 )
 {
-    basis_.resize(mMax + 1);
+    // (vectors of longer solutions are kept for those to come)
+    basis_.resize(max(std::size_t(mMax + 1), basis_.size()));
 
     const scalar start = std::sqrt(dot(baseResidual_, baseResidual_));
     std::vector<std::vector<double>> H(mMax);
