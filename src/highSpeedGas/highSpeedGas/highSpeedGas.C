@@ -518,6 +518,7 @@ void Foam::highSpeedGas::align(shockAlignment& alignment)
     }
     alignment.report();
     findSteadyState(residual_, true);
+    equations_->reportInletShocks();
     publish();
 }
 
@@ -594,6 +595,7 @@ bool Foam::highSpeedGas::solve()
             {
                 findSteadyState(residual_, false);
             }
+            equations_->reportInletShocks();
             if (feedback_.valid())
             {
                 feedback_->beginStep();

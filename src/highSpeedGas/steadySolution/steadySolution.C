@@ -321,7 +321,6 @@ bool Foam::steadySolution::solve(const bool near)
     }
     else
     {
-        equations_.reportInletShocks();
         const label k = imbalance_.worst();
         WarningInFunction
             << "The gas is not steady after " << iterations_

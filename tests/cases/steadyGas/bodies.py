@@ -145,6 +145,17 @@ for M, outer in (3, 1.6), (2.2, 2):
     case = f"inside_{M}"
     prepare(case, "half", (40, 40), outer, M, {"maxIterations": 500})
     status, text = run(case, "rhoCentralParcelFoam")
-    said = re.search(r"a shock stands at (\S+) % of patch inlet", text)
+    said = re.search(r"[Aa] shock stands at (\S+) % of patch inlet", text)
     verdict(case + "_is_said", said is not None and "Gas: steady" not in text,
+            f"at {said[1]} % of the inlet" if said else "not said")
+
+# One that cuts off a part of the shock layer alone leads to a steady state, but
+# not to that of a body in a stream
+for outer, wanted in (2.2, True), (4, False):
+    case = f"cut_{outer}"
+    prepare(case, "half", (40, 40), outer, 6)
+    text = solve(case)
+    said = re.search(r"A shock stands at (\S+) % of patch inlet", text)
+    verdict(case + ("_is_said" if wanted else "_is_not_said"),
+            "Gas: steady" in text and (said is not None) == wanted,
             f"at {said[1]} % of the inlet" if said else "not said")
