@@ -98,35 +98,19 @@ void Foam::gasEquations::widenGradients()
     wideGradient_.resize(cells.size()*n);
 
     double* wide = wideGradient_.data();
-    for (const int c : cells)
+    for (std::size_t i = 0; i < cells.size(); i++, wide += n)
     {
-        double sum[n] = {};
-        int nBehind = 0;
-        const int end = geometry_.cellStart[c + 1];
-        for (int i = geometry_.cellStart[c]; i < end; i++)
+        std::fill_n(wide, n, 0);
+        const int end = geometry_.wideStart[i + 1];
+        for (int j = geometry_.wideStart[i]; j < end; j++)
         {
-            const int f = geometry_.faceOf[i];
-            if (geometry_.gasBehind[f])
+            const double* g = &gradient_[geometry_.wideCell[j]*n];
+            const double share = geometry_.wideShare[j];
+            for (int k = 0; k < n; k++)
             {
-                const int other =
-                    geometry_.owner[f] == c
-                  ? geometry_.far[f]
-                  : geometry_.owner[f];
-                const double* g = &gradient_[other*n];
-                for (int k = 0; k < n; k++)
-                {
-                    sum[k] += g[k];
-                }
-                nBehind++;
+                wide[k] += share*g[k];
             }
         }
-        const double own = geometry_.flat[c] ? 0 : 0.5;
-        const double* g = &gradient_[c*n];
-        for (int k = 0; k < n; k++)
-        {
-            wide[k] = own*g[k] + (1 - own)/nBehind*sum[k];
-        }
-        wide += n;
     }
 
     wide = wideGradient_.data();

@@ -83,22 +83,5 @@ void Foam::gasMesh::setLeastSquares(const boolList& excluded)
 
     setWays();
     setLines();
-
-    flat.assign(nCells_, 0);
-    for (const int c : unaligned)
-    {
-        const symmTensor& m = moment[c];
-        const vector spread
-        (
-            nDim_ == 3
-          ? eigenValues(m)
-          : eigenValues
-            (
-                symmTensor(m.xx(), m.xy(), 0, m.yy(), 0, 4*(m.xx() + m.yy()))
-            )
-        );
-        // (in ascending order; of a regular tetrahedron with one face on a wall
-        // the ratio is a quarter)
-        flat[c] = spread[0] < 0.1*spread[nDim_ - 1];
-    }
+    setWideGradients(takesPart);
 }

@@ -233,7 +233,8 @@ void Foam::gasMesh::setLines()
     for (label c = 0; c < nCells_; c++)
     {
         const waysOut ways(*this, fromOwner, toFar, c);
-        bool onLines = true;
+        // (nothing lies across from a face of a tetrahedron or triangle)
+        bool onLines = ways.end() - ways.begin() != nDim_ + 1;
         for (const int f : ways)
         {
             if (!gasBehind[f])
