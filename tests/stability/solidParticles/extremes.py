@@ -3,11 +3,12 @@
 momentum and energy of gas + solids + ledger to 1e-12 in every step, leave no
 sphere without its heat, and say what waits in the ledger."""
 
+import os
 import re
 
 import numpy as np
 
-from caseTools import run, times_of
+from caseTools import edit, must, read_field, run, times_of, write_foam
 from dsmcTools import NITROGEN, write_gas
 from solidTools import changes, fill, read_solids, write_solids
 
@@ -17,12 +18,30 @@ L, CELLS = 0.004, 4
 STEPS = 200
 
 
+def spin(case, omega, deltaT):
+    """Give the spheres of a case a spin about y after their first step."""
+    control = "system/controlDict"
+    whole = f"endTime {STEPS*deltaT};", f"writeInterval {STEPS};"
+    first = f"endTime {deltaT};", "writeInterval 1;"
+    for old, new in zip(whole, first):
+        edit(case, control, old, new)
+    must(case, "dsmcParcelFoam")
+    for old, new in zip(first, whole):
+        edit(case, control, old, new)
+    time = times_of(case)[-1]
+    n = len(read_solids(case, time)["d"])
+    write_foam(case, f"{time}/lagrangian/solids/omega",
+               f"{n}\n(\n" + f"(0 {omega} 0)\n"*n + ")", "vectorField")
+    os.remove(f"{case}/{time}/uniform/complete")
+
+
 def row(name, expected, Tg=400., Tp=2000., loading=1., weight=None, each=100,
         exchange="perCell", density=1e23, perCell=30, U=(300, 0, -100),
-        diameters=(3e-6, 6e-6), deltaT=1e-6, holds=None,
+        diameters=(3e-6, 6e-6), deltaT=1e-6, holds=None, omega=None,
         collisions="LarsenBorgnakkeVariableHardSphere"):
     """One case: perCell simulated molecules to a cell, 'each' simulated
-    spheres of each group; weight: real molecules over real spheres."""
+    spheres of each group; weight: real molecules over real spheres; omega:
+    spin at the start [rad/s]."""
     case = re.sub(r"\W+", "_", name)
     gasWeight = density*L**3/(CELLS**3*perCell)
     concentration = loading*density*NITROGEN["mass"]
@@ -35,8 +54,11 @@ def row(name, expected, Tg=400., Tp=2000., loading=1., weight=None, each=100,
               density=density, T=Tg, gas={"N2": NITROGEN},
               collisions=collisions,
               control={"deltaT": deltaT, "endTime": STEPS*deltaT})
-    write_solids(case, fill(concentration, U, Tp, each),
+    write_solids(case, fill(concentration, U, Tp, each)
+                 + ("rotation yes;\n" if omega else ""),
                  exchange=exchange, walls=None, diameters=diameters)
+    if omega:
+        spin(case, omega, deltaT)
     status, log = run(case, "dsmcParcelFoam")
     worst = changes(log)
     end = times_of(case)[-1]
@@ -52,12 +74,17 @@ def row(name, expected, Tg=400., Tp=2000., loading=1., weight=None, each=100,
                 and np.isfinite(s["T"].max()))
         text += (f", spheres at {s['T'].min():.4g} to {s['T'].max():.4g} K,"
                  f" up to {speed:.4g} m/s")
+        if omega:
+            left = read_field(f"{case}/{end}/lagrangian/solids/omega")
+            left = np.sqrt((left**2).sum(axis=1)).max()
+            good = good and left < 1.1*omega
+            text += f", spinning at up to {left:.4g} rad/s"
         byCell = re.search(r"(\d+) of \d+ simulated particles stand", log)
         if byCell:
             text += f", {byCell[1]} of them exchange by the cell"
         if exchange == "perCell":
             text += f", ledger used in {sum(held)} cell-steps"
-            good = good and len(held) == STEPS
+            good = good and len(held) == (STEPS - 1 if omega else STEPS)
             if holds is not None:
                 good = good and (sum(held) > 0) == holds
     print(f"{name} | {expected} | {text} | {'ok' if good else 'FAILED'}",
@@ -87,3 +114,9 @@ for exchange in ("perCell", "perCollision"):
     row(f"step of 13 relaxation times (spheres of 3 nm), {exchange}", KEPT,
         diameters=(3e-9,), loading=0.01, deltaT=2e-5, collisions="none",
         exchange=exchange)
+    row(f"spin of 1e9 rad/s, rims at 1500 m/s and more, {exchange}", KEPT
+        + "; no faster spin", exchange=exchange, omega=1e9)
+    row(f"the same spheres 1000 times as small, step of 13 relaxation times,"
+        f" {exchange}", KEPT + "; no faster spin", diameters=(3e-9,),
+        loading=0.01, deltaT=2e-5, collisions="none", exchange=exchange,
+        omega=1e12)
