@@ -441,13 +441,14 @@ void Foam::gasEquations::setSources
 }
 
 
-void Foam::gasEquations::reportInletShocks() const
+void Foam::gasEquations::reportInletShocks(const bool steady) const
 {
     // Of pressures, through a normal shock at Mach number 1.2
     const scalar jump = 1.5;
 
-    // One that begins at the corner of a wall and an inlet may be meant
-    const scalar least = 0.05;
+    // In a steady gas one that begins at the corner of a wall and an inlet may
+    // be meant
+    const scalar least = steady ? 0.05 : 0.01;
 
     for (const gasMesh::patchRange& patch : geometry_.patches())
     {
@@ -531,7 +532,7 @@ void Foam::gasEquations::reportInvalidCells()
         }
     }
 
-    reportInletShocks();
+    reportInletShocks(false);
 
     // Marked as incomplete: to look at, not to restart from
     publish();

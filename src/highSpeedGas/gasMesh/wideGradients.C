@@ -58,12 +58,10 @@ void Foam::gasMesh::setWideGradients(const std::vector<bool>& takesPart)
     exchange(known.data(), 1);
     for (const patchRange& patch : patches_)
     {
-        for (label f = patch.start; f < patch.start + patch.size; f++)
+        const label end = patch.start + (patch.image() ? patch.size : 0);
+        for (label f = patch.start; f < end; f++)
         {
-            if (patch.image())
-            {
-                known[far[f]] = known[owner[f]];
-            }
+            known[far[f]] = known[owner[f]];
         }
     }
 

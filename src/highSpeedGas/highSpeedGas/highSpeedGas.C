@@ -517,8 +517,7 @@ void Foam::highSpeedGas::align(shockAlignment& alignment)
         round++;
     }
     alignment.report();
-    findSteadyState(residual_, true);
-    equations_->reportInletShocks();
+    equations_->reportInletShocks(findSteadyState(residual_, true));
     publish();
 }
 
@@ -584,18 +583,19 @@ bool Foam::highSpeedGas::solve()
 
         if (mode_ == modeType::steady)
         {
+            bool steady;
             if (roundEnds)
             {
                 const std::vector<double> before(equations_->primitive);
                 feedback_->endRound();
-                const bool steady = findSteadyState(residual_, true);
+                steady = findSteadyState(residual_, true);
                 feedback_->compare(before, steady);
             }
             else
             {
-                findSteadyState(residual_, false);
+                steady = findSteadyState(residual_, false);
             }
-            equations_->reportInletShocks();
+            equations_->reportInletShocks(steady);
             if (feedback_.valid())
             {
                 feedback_->beginStep();

@@ -115,8 +115,8 @@ for exchange in ("perCell", "perCollision"):
         diameters=(3e-9,), loading=0.01, deltaT=2e-5, collisions="none",
         exchange=exchange)
     row(f"spin of 1e9 rad/s, rims at 1500 m/s and more, {exchange}", KEPT
-        + "; no faster spin", exchange=exchange, omega=1e9)
+        + "; spins grow by a tenth at most", exchange=exchange, omega=1e9)
     row(f"the same spheres 1000 times as small, step of 13 relaxation times,"
-        f" {exchange}", KEPT + "; no faster spin", diameters=(3e-9,),
+        f" {exchange}", KEPT + "; spins grow by a tenth at most", diameters=(3e-9,),
         loading=0.01, deltaT=2e-5, collisions="none", exchange=exchange,
         omega=1e12)
