@@ -477,9 +477,8 @@ void Foam::gasEquations::boundaryFluxes()
             {
                 // What swirl carries out of one face and, turned, into the
                 // other: centrifugal and Coriolis force
-                double radial[nDim];
-                double around[nDim];
-                geometry_.turning(f, radial, around);
+                const double* radial = geometry_.radial(f);
+                const double* around = geometry_.around(f);
                 const double* u = &primitive[c*nVar + 2];
                 double swirl = 0;
                 double outward = 0;

@@ -125,14 +125,12 @@ void Foam::gasEquations::faceSpectralRadius(std::vector<double>& lambda) const
     // No wave goes around the axis, which the thin cells of a wedge would take
     // many steps for: what counts of their sides is what they leave of the
     // area in the radial direction
-    double radial[3];
-    double around[3];
     for (const gasMesh::patchRange& patch : geometry_.patches())
     {
         const label n = patch.wedge ? patch.size : 0;
         for (label f = patch.start; f < patch.start + n; f++)
         {
-            geometry_.turning(f, radial, around);
+            const double* radial = geometry_.radial(f);
             double across = 0;
             for (int d = 0; d < nDim; d++)
             {

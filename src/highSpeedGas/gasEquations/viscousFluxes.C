@@ -113,9 +113,8 @@ void Foam::gasEquations::hoopStress(const label f)
         mu += eddyViscosity_[c];
     }
 
-    double r[nDim];
-    double t[nDim];
-    geometry_.turning(f, r, t);
+    const double* r = geometry_.radial(f);
+    const double* t = geometry_.around(f);
 
     double divU = 0;
     for (int d = 0; d < nDim; d++)

@@ -269,4 +269,5 @@ Foam::gasMesh::gasMesh(const fvMesh& mesh)
     setGasBehind();
     sendBuffer_.setSize(mesh.boundaryMesh().size());
     setAxis();
+    setTurning();
 }

@@ -91,25 +91,27 @@ void Foam::gasMesh::setImages()
 }
 
 
-void Foam::gasMesh::turning
-(
-    const label f,
-    double* radial,
-    double* around
-) const
+void Foam::gasMesh::setTurning()
 {
-    const double* n = &normal[f*nDim_];
-    const double* r = &radial_[(f - nInternal_)*nDim_];
-    double nr = 0;
-    for (int d = 0; d < nDim_; d++)
+    around_.assign(radial_.size(), 0);
+    for (const patchRange& patch : patches_)
     {
-        nr += n[d]*r[d];
-    }
-    const double inverse = 1/std::sqrt(1 - nr*nr);
-    for (int d = 0; d < nDim_; d++)
-    {
-        radial[d] = r[d];
-        around[d] = (n[d] - nr*r[d])*inverse;
+        const label n = patch.wedge ? patch.size : 0;
+        for (label f = patch.start; f < patch.start + n; f++)
+        {
+            const double* r = radial(f);
+            double nr = 0;
+            for (int d = 0; d < nDim_; d++)
+            {
+                nr += normal[f*nDim_ + d]*r[d];
+            }
+            const double inverse = 1/std::sqrt(1 - nr*nr);
+            for (int d = 0; d < nDim_; d++)
+            {
+                around_[(f - nInternal_)*nDim_ + d] =
+                    (normal[f*nDim_ + d] - nr*r[d])*inverse;
+            }
+        }
     }
 }
 
