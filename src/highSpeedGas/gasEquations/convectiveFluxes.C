@@ -18,10 +18,10 @@ inline bool outOfReach(const std::vector<double>& gradient)
     return gradient.size() > 250000;
 }
 
-//- Share 0..1 of a face in a shock: whether the pressure rises along the flow
-//  by a large part of itself (all of it from a tenth beyond least on) within
-//  the distance delta between two cells. Smooth, so that a steady state can
-//  come to rest.
+//- Share 0..1 of a face in a shock, by how much the pressure rises along the
+//  flow within the distance delta between two cells, in parts of itself: 0 up
+//  to least, 1 from least + 0.1 on. Smooth, so that a steady state can come to
+//  rest.
 template<int nDim>
 inline double shareInShock
 (
@@ -237,9 +237,9 @@ void Foam::gasEquations::readFaces
             }
         }
     }
-    // Cells without lines cut a shock into steps, and the gas that passes its
-    // foot and top takes up errors as that within it does. With these in the
-    // flux of the shock too the total temperature behind it has half the error.
+    // Where the mesh has cells without lines a shock is cut into steps, whose
+    // first and last cells need the flux of the shock as well: without it the
+    // total temperature behind is off by twice as much
     const double leastRise = geometry_.anyUnaligned ? 0.1 : 0.2;
     state.shocked = false;
     state.anyInvalid = false;
