@@ -367,7 +367,7 @@ void Foam::gasEquations::setBoundaryProperties()
             }
             for (label f = patch.start; f < patch.start + patch.size; f++)
             {
-                properties_->setCell(geometry_.owner[f]);
+                properties_->setCell(geometry_.meshCell[geometry_.owner[f]]);
             }
             properties_->setPatch(patch.patchi);
         }
@@ -459,8 +459,9 @@ void Foam::gasEquations::correctBoundary()
         const label n = patch.image() ? 0 : patch.size;
         for (label f = patch.start; f < patch.start + n; f++)
         {
-            const label c = geometry_.owner[f];
-            const double* q = &primitive[c*nVar_];
+            const label own = geometry_.owner[f];
+            const label c = geometry_.meshCell[own];
+            const double* q = &primitive[own*nVar_];
             p[c] = q[0];
             T[c] = q[1];
             rho_[c] = q[0]/(eos_.R*q[1]);

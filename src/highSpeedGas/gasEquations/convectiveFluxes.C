@@ -410,7 +410,12 @@ void Foam::gasEquations::innerFluxes()
         }
     };
 
-    range(0, geometry_.nInternal(), phi_.begin(), false);
+    massFlux_.resize(geometry_.nInternal());
+    range(0, geometry_.nInternal(), massFlux_.data(), false);
+    if (turbulent())
+    {
+        publishMassFlux();
+    }
     for (const gasMesh::patchRange& patch : geometry_.patches())
     {
         // The gas goes on behind a symmetry plane: half a body then has the

@@ -143,12 +143,6 @@ void Foam::gasEquations::setSchemes()
     Info<< nl << "Gas: " << geometry_.nDim() << "-D, "
         << returnReduce(geometry_.nCells(), sumOp<label>()) << " cells"
         << endl;
-    if (geometry_.scattered())
-    {
-        Info<< "Gas: neighbouring cells have numbers far apart. With"
-            << " 'renumberMesh -overwrite' before the first run the gas is up"
-            << " to 1.7 times as fast" << endl;
-    }
 }
 
 
@@ -233,7 +227,7 @@ void Foam::gasEquations::readFields(const bool asWritten)
     const vectorField& U = U_;
     const int nDim = geometry_.nDim();
 
-    for (label c = 0; c < geometry_.nCells(); c++)
+    forAll(p, c)
     {
         const bool good =
             p[c] > 0 && p[c] < GREAT && T[c] > 0 && T[c] < GREAT
@@ -248,7 +242,7 @@ void Foam::gasEquations::readFields(const bool asWritten)
                 << exit(FatalError);
         }
 
-        double* q = &primitive[c*nVar_];
+        double* q = &primitive[geometry_.cellOf[c]*nVar_];
         q[0] = p[c];
         q[1] = T[c];
         for (int d = 0; d < nDim; d++)
@@ -403,12 +397,13 @@ void Foam::gasEquations::receive
 {
     for (label c = 0; c < geometry_.nCells(); c++)
     {
+        const label celli = geometry_.meshCell[c];
         const double perVolume = 1/geometry_.volume[c];
         double* w = &conserved[c*nVar_];
-        w[1] += energy[c]*perVolume;
+        w[1] += energy[celli]*perVolume;
         for (int d = 0; d < geometry_.nDim(); d++)
         {
-            w[2 + d] += momentum[c][geometry_.direction(d)]*perVolume;
+            w[2 + d] += momentum[celli][geometry_.direction(d)]*perVolume;
         }
     }
 
@@ -430,12 +425,13 @@ void Foam::gasEquations::setSources
     sourcePressure_.resize(geometry_.nCells());
     for (label c = 0; c < geometry_.nCells(); c++)
     {
+        const label celli = geometry_.meshCell[c];
         sourcePressure_[c] = primitive[c*nVar_];
         double* s = &source_[c*nVar_];
-        s[1] = power[c];
+        s[1] = power[celli];
         for (int d = 0; d < geometry_.nDim(); d++)
         {
-            s[2 + d] = force[c][geometry_.direction(d)];
+            s[2 + d] = force[celli][geometry_.direction(d)];
         }
     }
 }
@@ -494,7 +490,7 @@ void Foam::gasEquations::reportInvalidCells()
     label celli = -1;
     forAll(mesh_.C(), c)
     {
-        if (invalid_[c])
+        if (invalid_[geometry_.cellOf[c]])
         {
             celli = c;
             break;
@@ -503,7 +499,7 @@ void Foam::gasEquations::reportInvalidCells()
 
     if (celli >= 0)
     {
-        const double* q = &primitive[celli*nVar_];
+        const double* q = &primitive[geometry_.cellOf[celli]*nVar_];
         Pout<< "Gas: cell " << celli << " at " << mesh_.C()[celli]
             << " at time " << mesh_.time().timeName()
             << " has no finite, positive density and internal energy after a"

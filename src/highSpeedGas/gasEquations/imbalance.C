@@ -101,7 +101,7 @@ Foam::gasImbalance Foam::gasEquations::imbalance(const scalar bound) const
             if (!(value[k] <= b.largest[k]))
             {
                 b.largest[k] = value[k];
-                b.cell[k] = c;
+                b.cell[k] = geometry_.meshCell[c];
             }
             above = above || !(value[k] <= bound);
             squares += sqr(value[k]);

@@ -10,9 +10,9 @@ void Foam::gasEquations::publish(const bool asWritten)
     volScalarField& T = thermo_.T();
     const int nDim = geometry_.nDim();
 
-    for (label c = 0; c < geometry_.nCells(); c++)
+    forAll(p, c)
     {
-        const double* q = &primitive[c*nVar_];
+        const double* q = &primitive[geometry_.cellOf[c]*nVar_];
         p[c] = q[0];
         T[c] = q[1];
         rho_[c] = q[0]/(eos_.R*q[1]);
@@ -73,8 +73,21 @@ void Foam::gasEquations::publish(const bool asWritten)
            /(eos_.R*T.boundaryField()[patchi]);
     }
 
+    if (!turbulent())
+    {
+        publishMassFlux();
+    }
     properties_->update();
     checkTemperature();
+}
+
+
+void Foam::gasEquations::publishMassFlux()
+{
+    for (std::size_t f = 0; f < massFlux_.size(); f++)
+    {
+        phi_[geometry_.meshFace[f]] = geometry_.meshSign[f]*massFlux_[f];
+    }
 }
 
 
@@ -143,7 +156,8 @@ void Foam::gasEquations::checkTemperature()
         const scalar furthest = returnReduce(distance, maxOp<scalar>());
         if (worst >= 0 && distance >= furthest)
         {
-            Pout<< "Gas: cell " << worst << " at " << mesh_.C()[worst]
+            const label celli = geometry_.meshCell[worst];
+            Pout<< "Gas: cell " << celli << " at " << mesh_.C()[celli]
                 << " has T = " << primitive[worst*nVar_ + 1] << " K" << endl;
         }
     }

@@ -112,7 +112,7 @@ void Foam::gasMesh::setSquareRadii(const vector& side)
 
     for (label f = 0; f < nInternal_; f++)
     {
-        squareRadiusAtFace_[f] = between(mesh_.faces()[f]);
+        squareRadiusAtFace_[f] = between(mesh_.faces()[meshFace[f]]);
     }
     for (const patchRange& patch : patches_)
     {
@@ -197,7 +197,7 @@ void Foam::gasMesh::bendFaces
     };
     for (label f = 0; f < nInternal_; f++)
     {
-        findEdge(mesh_.faces()[f], edges[f]);
+        findEdge(mesh_.faces()[meshFace[f]], edges[f]);
     }
     for (const patchRange& patch : patches_)
     {
@@ -333,7 +333,7 @@ void Foam::gasMesh::setAxis()
     inverseRadius.assign(nSlots(), 0);
     for (label c = 0; c < nCells_; c++)
     {
-        inverseRadius[c] = 1/(mesh_.cellCentres()[c] & side);
+        inverseRadius[c] = 1/(mesh_.cellCentres()[meshCell[c]] & side);
     }
     faceRadius.resize(nFaces_);
     for (label f = 0; f < nFaces_; f++)

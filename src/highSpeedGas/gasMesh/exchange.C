@@ -8,20 +8,21 @@
 #include "cyclicAMIPolyPatch.H"
 #include "UIPstream.H"
 #include "UOPstream.H"
+#include <algorithm>
 
 void Foam::gasMesh::interpolateAMI
 (
     const cyclicAMIPolyPatch& patch,
+    const int* here,
+    const int* there,
     const double* values,
     const int n,
     double* ghost
 )
 {
-    const labelUList& here = patch.faceCells();
-    const labelUList& there = patch.neighbPatch().faceCells();
     const bool lowWeights = patch.applyLowWeightCorrection();
-    scalarField behind(there.size());
-    scalarField own(lowWeights ? here.size() : 0);
+    scalarField behind(patch.neighbPatch().size());
+    scalarField own(lowWeights ? patch.size() : 0);
 
     for (int k = 0; k < n; k++)
     {
@@ -46,15 +47,30 @@ void Foam::gasMesh::exchange(double* values, const int n) const
 {
     const polyBoundaryMesh& boundary = mesh_.boundaryMesh();
 
+    // The cells at a patch
+    const auto cellsAt = [&](const label patchi)
+    {
+        const auto found = std::find_if
+        (
+            patches_.begin(),
+            patches_.end(),
+            [&](const patchRange& range) { return range.patchi == patchi; }
+        );
+        return owner.data() + found->start;
+    };
+
     // First what waits for its own messages, so that no others are on the way
     for (const patchRange& patch : patches_)
     {
         const polyPatch& pp = boundary[patch.patchi];
         if (patch.coupled && isA<cyclicAMIPolyPatch>(pp))
         {
+            const auto& ami = refCast<const cyclicAMIPolyPatch>(pp);
             interpolateAMI
             (
-                refCast<const cyclicAMIPolyPatch>(pp),
+                ami,
+                cellsAt(patch.patchi),
+                cellsAt(ami.neighbPatch().index()),
                 values,
                 n,
                 values + n*(nCells_ + patch.start - nInternal_)
@@ -79,9 +95,11 @@ void Foam::gasMesh::exchange(double* values, const int n) const
 
         if (isA<cyclicPolyPatch>(pp))
         {
-            const labelUList& behind =
-                refCast<const cyclicPolyPatch>(pp).neighbPatch().faceCells();
-            forAll(behind, i)
+            const int* behind = cellsAt
+            (
+                refCast<const cyclicPolyPatch>(pp).neighbPatch().index()
+            );
+            for (label i = 0; i < patch.size; i++)
             {
                 const double* from = values + n*behind[i];
                 std::copy(from, from + n, ghost + n*i);
@@ -90,10 +108,10 @@ void Foam::gasMesh::exchange(double* values, const int n) const
         }
 
         const processorPolyPatch& ppp = refCast<const processorPolyPatch>(pp);
-        const labelUList& cells = pp.faceCells();
+        const int* cells = cellsAt(patch.patchi);
         List<double>& send = sendBuffer_[patch.patchi];
         send.setSize(n*patch.size);
-        forAll(cells, i)
+        for (label i = 0; i < patch.size; i++)
         {
             const double* from = values + n*cells[i];
             std::copy(from, from + n, send.begin() + n*i);

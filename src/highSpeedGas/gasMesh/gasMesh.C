@@ -13,6 +13,9 @@
 #include "cyclicACMIPolyPatch.H"
 #include "cyclicPeriodicAMIPolyPatch.H"
 #include "surfaceFields.H"
+#include "bandCompression.H"
+#include <algorithm>
+#include <numeric>
 
 void Foam::gasMesh::setDirections()
 {
@@ -111,8 +114,8 @@ void Foam::gasMesh::setFace
 )
 {
     const pointField& C = mesh_.cellCentres();
-    owner[f] = own;
-    far[f] = farCell;
+    owner[f] = cellOf[own];
+    far[f] = f < nInternal_ ? cellOf[farCell] : farCell;
     area[f] = mag(Sf);
     const vector n = Sf/area[f];
     for (int d = 0; d < 3; d++)
@@ -146,6 +149,62 @@ void Foam::gasMesh::setFace
 }
 
 
+void Foam::gasMesh::setNumbers()
+{
+    const labelList& own = mesh_.faceOwner();
+    const labelList& nei = mesh_.faceNeighbour();
+    labelListList neighbours(nCells_);
+    {
+        labelList n(nCells_, Zero);
+        forAll(nei, f)
+        {
+            n[own[f]]++;
+            n[nei[f]]++;
+        }
+        forAll(neighbours, c)
+        {
+            neighbours[c].setSize(n[c]);
+        }
+        forAll(nei, f)
+        {
+            neighbours[own[f]][--n[own[f]]] = nei[f];
+            neighbours[nei[f]][--n[nei[f]]] = own[f];
+        }
+    }
+    const labelList order(bandCompression(neighbours));
+    meshCell.assign(order.begin(), order.end());
+    cellOf.resize(nCells_);
+    for (label c = 0; c < nCells_; c++)
+    {
+        cellOf[meshCell[c]] = c;
+    }
+
+    const auto ends = [&](const int f)
+    {
+        return std::minmax(cellOf[own[f]], cellOf[nei[f]]);
+    };
+    meshFace.resize(nInternal_);
+    std::iota(meshFace.begin(), meshFace.end(), 0);
+    std::sort
+    (
+        meshFace.begin(),
+        meshFace.end(),
+        [&](const int f, const int g)
+        {
+            const auto a = ends(f);
+            const auto b = ends(g);
+            return a < b || (a == b && f < g);
+        }
+    );
+    meshSign.resize(nInternal_);
+    for (label f = 0; f < nInternal_; f++)
+    {
+        const int g = meshFace[f];
+        meshSign[f] = cellOf[own[g]] < cellOf[nei[g]] ? 1 : -1;
+    }
+}
+
+
 void Foam::gasMesh::setFaces()
 {
     owner.resize(nFaces_);
@@ -161,15 +220,20 @@ void Foam::gasMesh::setFaces()
 
     for (label f = 0; f < nInternal_; f++)
     {
-        const label own = mesh_.faceOwner()[f];
-        const label nei = mesh_.faceNeighbour()[f];
+        const label g = meshFace[f];
+        label own = mesh_.faceOwner()[g];
+        label nei = mesh_.faceNeighbour()[g];
+        if (meshSign[f] < 0)
+        {
+            std::swap(own, nei);
+        }
         setFace
         (
             f,
             own,
             nei,
-            mesh_.faceAreas()[f],
-            mesh_.faceCentres()[f] - C[own],
+            meshSign[f]*mesh_.faceAreas()[g],
+            mesh_.faceCentres()[g] - C[own],
             C[nei] - C[own]
         );
     }
@@ -212,7 +276,7 @@ void Foam::gasMesh::setCells()
     volume.resize(nCells_);
     for (label c = 0; c < nCells_; c++)
     {
-        volume[c] = mesh_.cellVolumes()[c];
+        volume[c] = mesh_.cellVolumes()[meshCell[c]];
     }
 
     cellStart.assign(nCells_ + 1, 0);
@@ -244,26 +308,13 @@ void Foam::gasMesh::setCells()
 }
 
 
-bool Foam::gasMesh::scattered() const
-{
-    // Numbered layer after layer, neighbours are half a layer apart in the mean
-    const int nLong = axis.empty() ? nDim_ : 2;
-    const double layer = std::pow(double(nCells_), 1 - 1.0/nLong);
-    double sum = 0;
-    for (label f = 0; f < nInternal_; f++)
-    {
-        sum += std::abs(owner[f] - far[f]);
-    }
-    return returnReduce(sum > 3*layer*nInternal_, orOp<bool>());
-}
-
-
 Foam::gasMesh::gasMesh(const fvMesh& mesh)
 :
     mesh_(mesh)
 {
     setDirections();
     setPatches();
+    setNumbers();
     setFaces();
     setImages();
     setGasBehind();

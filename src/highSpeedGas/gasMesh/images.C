@@ -33,7 +33,7 @@ void Foam::gasMesh::setImages()
                 const wedgePolyPatch& wedge =
                     refCast<const wedgePolyPatch>(fvp.patch());
                 const vector axis(normalised(wedge.axis()));
-                const vector C(mesh_.cellCentres()[owner[f]]);
+                const vector C(mesh_.cellCentres()[meshCell[owner[f]]]);
                 const vector r(C - (C & axis)*axis);
 
                 scalar nearest = GREAT;

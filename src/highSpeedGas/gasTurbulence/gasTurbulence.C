@@ -235,7 +235,10 @@ void Foam::gasTurbulence::take
     auto fill = [&](const volScalarField& from, std::vector<double>& to)
     {
         to.assign(geometry_.nSlots(), 0);
-        std::copy(from.begin(), from.end(), to.begin());
+        for (label c = 0; c < geometry_.nCells(); c++)
+        {
+            to[c] = from[geometry_.meshCell[c]];
+        }
         for (const gasMesh::patchRange& patch : geometry_.patches())
         {
             const fvPatchScalarField& pf = from.boundaryField()[patch.patchi];

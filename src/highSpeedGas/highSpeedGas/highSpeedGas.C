@@ -431,7 +431,7 @@ void Foam::highSpeedGas::publish(const bool asWritten)
     equations_->soundSpeed(a);
     forAll(Ma_, celli)
     {
-        Ma_[celli] = mag(U_[celli])/a[celli];
+        Ma_[celli] = mag(U_[celli])/a[geometry.cellOf[celli]];
     }
 
     for (const gasMesh::patchRange& patch : geometry.patches())

@@ -260,7 +260,8 @@ void Foam::steadyFeedback::compare
     // What the gas has felt
     forAll(power_, celli)
     {
-        const scalar share = equations_.sourceShare(celli);
+        const scalar share =
+            equations_.sourceShare(geometry.cellOf[celli]);
         force_[celli] *= share;
         power_[celli] *= share;
     }

@@ -21,7 +21,7 @@ Foam::NewtonKrylov::NewtonKrylov(gasEquations& gas)
     solved_(true),
     nProducts_(0)
 {
-    setOrder();
+    setBlocks();
 }
 
 

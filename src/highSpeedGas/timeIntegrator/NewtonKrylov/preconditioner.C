@@ -3,7 +3,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "NewtonKrylov.H"
-#include "bandCompression.H"
 #include <algorithm>
 
 namespace Foam
@@ -253,49 +252,22 @@ inline void multiplyBlocks(const double* a, const double* b, double* c)
 } // End namespace Foam
 
 
-void Foam::NewtonKrylov::setOrder()
+void Foam::NewtonKrylov::setBlocks()
 {
     const gasMesh& mesh = gas_.geometry();
 
-    labelListList neighbours(nCells_);
-    {
-        labelList n(nCells_, Zero);
-        for (label f = 0; f < mesh.nInternal(); f++)
-        {
-            n[mesh.owner[f]]++;
-            n[mesh.far[f]]++;
-        }
-        forAll(neighbours, c)
-        {
-            neighbours[c].setSize(n[c]);
-        }
-        n = 0;
-        for (label f = 0; f < mesh.nInternal(); f++)
-        {
-            const label o = mesh.owner[f];
-            const label r = mesh.far[f];
-            neighbours[o][n[o]++] = r;
-            neighbours[r][n[r]++] = o;
-        }
-    }
-
-    const labelList order(bandCompression(neighbours));
-    cellOf_.assign(order.begin(), order.end());
-    rowOf_.resize(nCells_);
-    for (label r = 0; r < nCells_; r++)
-    {
-        rowOf_[cellOf_[r]] = r;
-    }
-
     rowStart_.assign(1, 0);
     diagonal_.resize(nCells_);
+    std::vector<int> columns;
     for (label r = 0; r < nCells_; r++)
     {
-        const labelList& cells = neighbours[cellOf_[r]];
-        std::vector<int> columns(1, r);
-        for (const label c : cells)
+        columns.assign(1, r);
+        for (int i = mesh.cellStart[r]; i < mesh.cellStart[r + 1]; i++)
         {
-            columns.push_back(rowOf_[c]);
+            if (mesh.neighbour[i] < nCells_)
+            {
+                columns.push_back(mesh.neighbour[i]);
+            }
         }
         std::sort(columns.begin(), columns.end());
         columns.erase
@@ -325,8 +297,8 @@ void Foam::NewtonKrylov::setOrder()
     farBlock_.resize(mesh.nInternal());
     for (label f = 0; f < mesh.nInternal(); f++)
     {
-        const int o = rowOf_[mesh.owner[f]];
-        const int r = rowOf_[mesh.far[f]];
+        const int o = mesh.owner[f];
+        const int r = mesh.far[f];
         ownerBlock_[f] = place(o, r);
         farBlock_[f] = place(r, o);
     }
@@ -394,7 +366,7 @@ void Foam::NewtonKrylov::addConvection()
         const double* qo = primitive + o*nVar;
         const double* qr = primitive + r*nVar;
         const double half = 0.5*mesh.area[f];
-        const int diagonal = diagonal_[rowOf_[o]];
+        const int diagonal = diagonal_[o];
 
         const fluxJacobian<nDim> Ao(qo, n, eos);
 
@@ -428,7 +400,7 @@ void Foam::NewtonKrylov::addConvection()
         if (f < mesh.nInternal())
         {
             const fluxJacobian<nDim> Ar(qr, n, eos);
-            const int diagonalFar = diagonal_[rowOf_[r]];
+            const int diagonalFar = diagonal_[r];
             add(diagonalFar, r, r, -half, Ar.A);
             add(diagonalFar, r, r, half, M);
             add(ownerBlock_[f], o, r, half, Ar.A);
@@ -469,12 +441,12 @@ void Foam::NewtonKrylov::addDiffusion()
                 u[d] = inner ? 0.5*(qo[2 + d] + qr[2 + d]) : qr[2 + d];
             }
             frictionJacobian<nDim>(qo, u, n, t.mu, t.lambda, eos, D);
-            add(diagonal_[rowOf_[o]], o, o, share, D);
+            add(diagonal_[o], o, o, share, D);
             if (inner)
             {
                 add(farBlock_[f], r, o, -share, D);
                 frictionJacobian<nDim>(qr, u, n, t.mu, t.lambda, eos, D);
-                add(diagonal_[rowOf_[r]], r, r, share, D);
+                add(diagonal_[r], r, r, share, D);
                 add(ownerBlock_[f], o, r, -share, D);
             }
         }
@@ -568,37 +540,33 @@ void Foam::NewtonKrylov::precondition
 {
     constexpr int nn = nVar*nVar;
     double y[nVar];
-    ordered_.resize(nUnknowns_);
-    double* z = ordered_.data();
 
     for (label r = 0; r < nCells_; r++)
     {
-        const double* bc = &b[cellOf_[r]*nVar];
-        std::copy(bc, bc + nVar, y);
+        std::copy_n(&b[r*nVar], nVar, y);
         for (int i = rowStart_[r]; i < diagonal_[r]; i++)
         {
-            subtractProduct<nVar>(&block_[i*nn], z + column_[i]*nVar, y);
+            subtractProduct<nVar>(&block_[i*nn], &x[column_[i]*nVar], y);
         }
-        std::copy(y, y + nVar, z + r*nVar);
+        std::copy_n(y, nVar, &x[r*nVar]);
     }
     for (label r = nCells_ - 1; r >= 0; r--)
     {
-        double* zr = z + r*nVar;
-        std::copy(zr, zr + nVar, y);
+        double* xr = &x[r*nVar];
+        std::copy_n(xr, nVar, y);
         for (int i = diagonal_[r] + 1; i < rowStart_[r + 1]; i++)
         {
-            subtractProduct<nVar>(&block_[i*nn], z + column_[i]*nVar, y);
+            subtractProduct<nVar>(&block_[i*nn], &x[column_[i]*nVar], y);
         }
-        std::fill(zr, zr + nVar, 0);
+        std::fill_n(xr, nVar, 0);
         const double* D = &block_[diagonal_[r]*nn];
         for (int i = 0; i < nVar; i++)
         {
             for (int j = 0; j < nVar; j++)
             {
-                zr[i] += D[i*nVar + j]*y[j];
+                xr[i] += D[i*nVar + j]*y[j];
             }
         }
-        std::copy(zr, zr + nVar, &x[cellOf_[r]*nVar]);
     }
 }
 
