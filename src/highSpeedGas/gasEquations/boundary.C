@@ -175,6 +175,7 @@ void Foam::gasEquations::initialiseFlux()
 
     const surfaceVectorField momentum(fvc::interpolate(rho_*U_));
     phi_ = momentum & mesh_.Sf();
+    forgetSwirl();
 }
 
 
@@ -234,7 +235,12 @@ bool Foam::gasEquations::impermeable
 }
 
 
-void Foam::gasEquations::wallPressure(const label f, double& p) const
+void Foam::gasEquations::wallPressure
+(
+    const label f,
+    double& p,
+    const bool side
+) const
 {
     const int nDim = geometry_.nDim();
     const label c = geometry_.owner[f];
@@ -254,7 +260,7 @@ void Foam::gasEquations::wallPressure(const label f, double& p) const
     // stopped: the wall sends back the acoustic wave that stops the velocity
     // that the gradient gives there, or that of the cell if the gradient is
     // its neighbours'
-    if (geometry_.isUnaligned[c])
+    if (geometry_.isUnaligned[c] && !side)
     {
         double a;
         double un = outwardSpeed(f, &primitive[c*nVar_], a);
@@ -591,6 +597,7 @@ void Foam::gasEquations::takeBoundary()
         const fvPatchVectorField& Up = U_.boundaryField()[patchi];
         const fvPatchScalarField& Tp = T.boundaryField()[patchi];
         const fvPatchScalarField& pp = p.boundaryField()[patchi];
+        refuseSwirl(patchi);
         double* q = &primitive[(nCells + patch.start - nInternal)*nVar_];
         for (label i = 0; i < patch.size; i++, q += nVar_)
         {

@@ -435,6 +435,24 @@ void Foam::gasEquations::innerFluxes()
 
 
 template<int nDim>
+void Foam::gasEquations::sidesOfSection(const label start, const label end)
+{
+    constexpr int nVar = nDim + 2;
+    for (label f = start; f < end; f++)
+    {
+        double p;
+        wallPressure(f, p, true);
+        double* rateOfCell = &rate[geometry_.owner[f]*nVar];
+        for (int d = 0; d < nDim; d++)
+        {
+            rateOfCell[2 + d] -=
+                p*geometry_.area[f]*geometry_.normal[f*nDim + d];
+        }
+    }
+}
+
+
+template<int nDim>
 void Foam::gasEquations::boundaryFluxes()
 {
     constexpr int nVar = nDim + 2;
@@ -445,6 +463,11 @@ void Foam::gasEquations::boundaryFluxes()
         k++;
         if (patch.coupled || patch.symmetry)
         {
+            continue;
+        }
+        if (patch.wedge && geometry_.inSection())
+        {
+            sidesOfSection<nDim>(patch.start, patch.start + patch.size);
             continue;
         }
         scalarField& phip = phi_.boundaryFieldRef()[patch.patchi];
@@ -462,7 +485,7 @@ void Foam::gasEquations::boundaryFluxes()
 
             if (impermeable(k, f, un) && (reconstructed_[k] || tight_[k]))
             {
-                wallPressure(f, q[0]);
+                wallPressure(f, q[0], patch.wedge);
             }
             if (un == 0)
             {

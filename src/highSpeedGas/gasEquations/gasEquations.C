@@ -140,9 +140,10 @@ void Foam::gasEquations::setSchemes()
     {
         Info<< ", gamma = " << 1 + eos_.R/eos_.cv;
     }
-    Info<< nl << "Gas: " << geometry_.nDim() << "-D, "
-        << returnReduce(geometry_.nCells(), sumOp<label>()) << " cells"
-        << endl;
+    Info<< nl << "Gas: " << geometry_.nDim() << "-D"
+        << (geometry_.inSection() ? ", axisymmetric without swirl" : "")
+        << ", " << returnReduce(geometry_.nCells(), sumOp<label>())
+        << " cells" << endl;
 }
 
 
@@ -162,7 +163,7 @@ Foam::gasEquations::gasEquations
     U_(U),
     rho_(rho),
     phi_(phi),
-    geometry_(mesh),
+    geometry_(mesh, swirls(U)),
     nVar_(geometry_.nDim() + 2),
     boundaryNeedsProperties_(false),
     transportKnown_(false),

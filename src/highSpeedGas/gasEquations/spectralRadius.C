@@ -127,7 +127,8 @@ void Foam::gasEquations::faceSpectralRadius(std::vector<double>& lambda) const
     // area in the radial direction
     for (const gasMesh::patchRange& patch : geometry_.patches())
     {
-        const label n = patch.wedge ? patch.size : 0;
+        const bool sides = patch.wedge && !geometry_.inSection();
+        const label n = sides ? patch.size : 0;
         for (label f = patch.start; f < patch.start + n; f++)
         {
             const double* radial = geometry_.radial(f);
@@ -187,6 +188,16 @@ void Foam::gasEquations::centralRadius(std::vector<double>& lambda) const
             patch.start + patch.size,
             patch.coupled ? 1 : patch.image() ? 0.5 : 0
         );
+        if (patch.wedge && geometry_.inSection())
+        {
+            // As the stock solver has it, through both sides
+            for (label f = patch.start; f < patch.start + patch.size; f++)
+            {
+                faceLambda_[f] =
+                    soundSpeed_[geometry_.owner[f]]
+                   *geometry_.sidesPerArea*geometry_.area[f];
+            }
+        }
     }
     sumOverFaces(faceLambda_, lambda);
 }

@@ -9,14 +9,14 @@ void Foam::gasEquations::viscousFlux
 (
     const label f,
     const double share,
-    const double* gradientFar
+    const label behind
 )
 {
     constexpr int nVar = nDim + 2;
     const double* qo = &primitive[geometry_.owner[f]*nVar];
     const double* qf = &primitive[geometry_.far[f]*nVar];
     const double* go = &gradient_[geometry_.owner[f]*(nVar*nDim)];
-    const double* gf = gradientFar;
+    const double* gf = &gradient_[behind*(nVar*nDim)];
     const double* delta = &geometry_.delta[f*nDim];
     const double* n = &geometry_.normal[f*nDim];
 
@@ -66,7 +66,8 @@ void Foam::gasEquations::viscousFlux
            *((1 - share)*eddyDiffusivity_[o] + share*eddyDiffusivity_[r]);
     }
 
-    double divU = 0;
+    double divU =
+        (1 - share)*hoopStrain(geometry_.owner[f]) + share*hoopStrain(behind);
     for (int d = 0; d < nDim; d++)
     {
         divU += g[d][2 + d];
@@ -100,6 +101,21 @@ void Foam::gasEquations::viscousFlux
 }
 
 
+double Foam::gasEquations::hoopStrain(const label s) const
+{
+    if (!geometry_.inSection())
+    {
+        return 0;
+    }
+    double outward = 0;
+    for (int d = 0; d < geometry_.nDim(); d++)
+    {
+        outward += primitive[s*nVar_ + 2 + d]*geometry_.away[d];
+    }
+    return outward*geometry_.inverseRadius[s];
+}
+
+
 template<int nDim>
 void Foam::gasEquations::hoopStress(const label f)
 {
@@ -113,14 +129,25 @@ void Foam::gasEquations::hoopStress(const label f)
         mu += eddyViscosity_[c];
     }
 
-    const double* r = geometry_.radial(f);
-    const double* t = geometry_.around(f);
-
-    double divU = 0;
+    const double strain = hoopStrain(c);
+    double divU = strain;
     for (int d = 0; d < nDim; d++)
     {
         divU += g[d*nVar + 2 + d];
     }
+    double* rate_c = &rate[c*nVar];
+    if (geometry_.inSection())
+    {
+        const double force =
+            mu*(2*strain - 2.0/3*divU)*geometry_.area[f];
+        for (int d = 0; d < nDim; d++)
+        {
+            rate_c[2 + d] += force*n[d];
+        }
+        return;
+    }
+    const double* r = geometry_.radial(f);
+    const double* t = geometry_.around(f);
 
     // Traction on a plane through the axis
     double traction[nDim];
@@ -141,7 +168,6 @@ void Foam::gasEquations::hoopStress(const label f)
 
     // Of the tractions on both faces of the wedge, turned towards each other,
     // this remains; their work cancels
-    double* rate_c = &rate[c*nVar];
     const double share = mu*across*geometry_.area[f];
     for (int d = 0; d < nDim; d++)
     {
@@ -153,15 +179,9 @@ void Foam::gasEquations::hoopStress(const label f)
 template<int nDim>
 void Foam::gasEquations::viscousFluxes()
 {
-    constexpr int width = (nDim + 2)*nDim;
-    auto far = [&](const label f)
-    {
-        return &gradient_[geometry_.far[f]*width];
-    };
-
     for (label f = 0; f < geometry_.nInternal(); f++)
     {
-        viscousFlux<nDim>(f, geometry_.weight[f], far(f));
+        viscousFlux<nDim>(f, geometry_.weight[f], geometry_.far[f]);
     }
 
     for (const gasMesh::patchRange& patch : geometry_.patches())
@@ -170,7 +190,7 @@ void Foam::gasEquations::viscousFluxes()
         {
             if (patch.coupled || patch.symmetry)
             {
-                viscousFlux<nDim>(f, geometry_.weight[f], far(f));
+                viscousFlux<nDim>(f, geometry_.weight[f], geometry_.far[f]);
             }
             else if (patch.wedge)
             {
@@ -179,10 +199,7 @@ void Foam::gasEquations::viscousFluxes()
             else if (!frictionless_[patch.patchi])
             {
                 // State of the face, gradient of the cell
-                viscousFlux<nDim>
-                (
-                    f, 1, &gradient_[geometry_.owner[f]*width]
-                );
+                viscousFlux<nDim>(f, 1, geometry_.owner[f]);
             }
         }
     }

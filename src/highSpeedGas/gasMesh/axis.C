@@ -287,7 +287,7 @@ void Foam::gasMesh::bendFaces
         const label end = patch.start + (patch.wedge ? patch.size : 0);
         for (label f = patch.start; f < end; f++)
         {
-            area[f] += growth[owner[f]]/cosine;
+            area[f] += growth[owner[f]]*(inSection_ ? perSection : 1/cosine);
         }
     }
 }
@@ -309,21 +309,13 @@ void Foam::gasMesh::fillGhosts(std::vector<double>& values) const
 
 void Foam::gasMesh::setAxis()
 {
-    const wedgePolyPatch* wedge = nullptr;
-    for (const polyPatch& pp : mesh_.boundaryMesh())
-    {
-        if (!wedge && isA<wedgePolyPatch>(pp))
-        {
-            wedge = &refCast<const wedgePolyPatch>(pp);
-        }
-    }
-    if (!wedge)
+    if (!wedge())
     {
         return;
     }
 
-    const vector along(normalised(wedge->axis()));
-    const vector side(normalised(wedge->centreNormal() ^ along));
+    const vector along(normalised(wedge()->axis()));
+    const vector side(normalised(wedge()->centreNormal() ^ along));
     for (int d = 0; d < nDim_; d++)
     {
         axis.push_back(along[direction_[d]]);
@@ -346,7 +338,9 @@ void Foam::gasMesh::setAxis()
     }
     fillGhosts(inverseRadius);
 
-    bendFaces(along, side, wedge->cosAngle());
+    const scalar cosine = wedge()->cosAngle();
+    sidesPerArea = 0.5/std::sqrt(1 - sqr(cosine));
+    bendFaces(along, side, cosine);
 
     setSquareRadii(side);
 }

@@ -17,6 +17,50 @@
 #include <algorithm>
 #include <numeric>
 
+const Foam::wedgePolyPatch* Foam::gasMesh::wedge() const
+{
+    for (const polyPatch& pp : mesh_.boundaryMesh())
+    {
+        if (isA<wedgePolyPatch>(pp))
+        {
+            return &refCast<const wedgePolyPatch>(pp);
+        }
+    }
+    return nullptr;
+}
+
+
+bool Foam::gasMesh::isFront(const polyPatch& patch)
+{
+    // (the stock centreNormal looks to the side of its patch)
+    const wedgePolyPatch& wedge = refCast<const wedgePolyPatch>(patch);
+    return (wedge.n() & cmptMag(wedge.centreNormal())) > 0;
+}
+
+
+bool Foam::gasMesh::hasOneLayer() const
+{
+    // Each cell has one face in front
+    std::vector<int> nFront(mesh_.nCells(), 0);
+    for (const polyPatch& pp : mesh_.boundaryMesh())
+    {
+        if (isA<wedgePolyPatch>(pp) && isFront(pp))
+        {
+            for (const label c : pp.faceCells())
+            {
+                nFront[c]++;
+            }
+        }
+    }
+    bool one = wedge();
+    for (const int n : nFront)
+    {
+        one = one && n == 1;
+    }
+    return returnReduce(one, andOp<bool>());
+}
+
+
 void Foam::gasMesh::setDirections()
 {
     const Vector<label>& solved = mesh_.solutionD();
@@ -24,7 +68,9 @@ void Foam::gasMesh::setDirections()
     nDim_ = 0;
     for (int d = 0; d < 3; d++)
     {
-        if (solved[d] == 1)
+        const bool around =
+            inSection_ && mag(wedge()->centreNormal()[d]) > 0.5;
+        if (solved[d] == 1 && !around)
         {
             direction_[nDim_++] = d;
         }
@@ -53,7 +99,11 @@ void Foam::gasMesh::setPatches()
     {
         const polyPatch& pp = boundary[patchi];
 
-        if (isA<emptyPolyPatch>(pp))
+        if
+        (
+            isA<emptyPolyPatch>(pp)
+         || (inSection_ && isA<wedgePolyPatch>(pp) && !isFront(pp))
+        )
         {
             continue;
         }
@@ -247,15 +297,26 @@ void Foam::gasMesh::setFaces()
         for (label i = 0; i < patch.size; i++)
         {
             const label f = patch.start + i;
-            const vector toFaceCentre(fvp.Cf()[i] - C[cells[i]]);
+            vector toFaceCentre(fvp.Cf()[i] - C[cells[i]]);
             const vector n(fvp.Sf()[i]/fvp.magSf()[i]);
+            vector Sf(fvp.Sf()[i]);
+            if (patch.wedge && inSection_)
+            {
+                // Both sides together: what they turn towards the axis
+                const vector around
+                (
+                    refCast<const wedgePolyPatch>(fvp.patch()).centreNormal()
+                );
+                Sf = 2*(Sf - (Sf & around)*around);
+                toFaceCentre -= (toFaceCentre & around)*around;
+            }
 
             setFace
             (
                 f,
                 cells[i],
                 nCells_ + f - nInternal_,
-                fvp.Sf()[i],
+                Sf,
                 toFaceCentre,
                 patch.coupled ? delta[i]
               : patch.symmetry ? 2*(n & toFaceCentre)*n
@@ -267,12 +328,24 @@ void Foam::gasMesh::setFaces()
             }
         }
     }
-    setCells();
 }
 
 
 void Foam::gasMesh::setCells()
 {
+    // Cells see what lies behind a face. Off the axis nothing does behind the
+    // sides of a section.
+    std::vector<bool> seen(nFaces_, true);
+    for (const patchRange& patch : patches_)
+    {
+        const label end =
+            patch.start + (patch.wedge && inSection_ ? patch.size : 0);
+        for (label f = patch.start; f < end; f++)
+        {
+            seen[f] = lsqWeight_[f] > 0;
+        }
+    }
+
     volume.resize(nCells_);
     for (label c = 0; c < nCells_; c++)
     {
@@ -282,7 +355,7 @@ void Foam::gasMesh::setCells()
     cellStart.assign(nCells_ + 1, 0);
     for (label f = 0; f < nFaces_; f++)
     {
-        cellStart[owner[f] + 1]++;
+        cellStart[owner[f] + 1] += seen[f];
         if (f < nInternal_)
         {
             cellStart[far[f] + 1]++;
@@ -297,6 +370,10 @@ void Foam::gasMesh::setCells()
     std::vector<int> fill(cellStart.begin(), cellStart.end() - 1);
     for (label f = 0; f < nFaces_; f++)
     {
+        if (!seen[f])
+        {
+            continue;
+        }
         neighbour[fill[owner[f]]] = far[f];
         faceOf[fill[owner[f]]++] = f;
         if (f < nInternal_)
@@ -308,15 +385,17 @@ void Foam::gasMesh::setCells()
 }
 
 
-Foam::gasMesh::gasMesh(const fvMesh& mesh)
+Foam::gasMesh::gasMesh(const fvMesh& mesh, const bool swirls)
 :
-    mesh_(mesh)
+    mesh_(mesh),
+    inSection_(!swirls && hasOneLayer())
 {
     setDirections();
     setPatches();
     setNumbers();
     setFaces();
     setImages();
+    setCells();
     setGasBehind();
     sendBuffer_.setSize(mesh.boundaryMesh().size());
     setAxis();

@@ -6,6 +6,34 @@
 #include "wedgePolyPatch.H"
 #include "mathematicalConstants.H"
 
+void Foam::gasMesh::setSectionImage
+(
+    const label f,
+    const vector& r,
+    const bool onAxis
+)
+{
+    // Off the axis the images of the sides say nothing of what changes within
+    // the section. On it they are those of setImages, turned by 120 degrees
+    // to both sides, as the section sees them.
+    const double share = onAxis ? 1.5 : 0;
+    lsqWeight_[f] = onAxis ? 11.0/16 : 0;
+    normalDistance[f] = mag(r);
+    double* m = &image_[(f - nInternal_)*nDim_*nDim_];
+    for (int d = 0; d < nDim_; d++)
+    {
+        const double rd = r[direction_[d]];
+        delta[f*nDim_ + d] = -share*rd;
+        radial_[(f - nInternal_)*nDim_ + d] = rd/mag(r);
+        for (int k = 0; k < nDim_; k++)
+        {
+            m[d*nDim_ + k] =
+                (d == k) - share*rd*r[direction_[k]]/magSqr(r);
+        }
+    }
+}
+
+
 void Foam::gasMesh::setImages()
 {
     lsqWeight_.assign(nFaces_, 1);
@@ -43,6 +71,11 @@ void Foam::gasMesh::setImages()
                     nearest = min(nearest, mag(P - (P & axis)*axis));
                 }
                 const bool onAxis = nearest < 1e-4*mag(r);
+                if (inSection_)
+                {
+                    setSectionImage(f, r, onAxis);
+                    continue;
+                }
 
                 // Rodrigues' rotation from the owner to outside the face
                 const scalar side = sign((axis ^ r) & n);
@@ -96,7 +129,7 @@ void Foam::gasMesh::setTurning()
     around_.assign(radial_.size(), 0);
     for (const patchRange& patch : patches_)
     {
-        const label n = patch.wedge ? patch.size : 0;
+        const label n = patch.wedge && !inSection_ ? patch.size : 0;
         for (label f = patch.start; f < patch.start + n; f++)
         {
             const double* r = radial(f);

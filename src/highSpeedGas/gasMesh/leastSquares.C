@@ -11,7 +11,8 @@ void Foam::gasMesh::setLeastSquares(const boolList& excluded)
     {
         for (label i = 0; i < patch.size; i++)
         {
-            takesPart[patch.start + i] = !excluded[patch.patchi];
+            const label f = patch.start + i;
+            takesPart[f] = !excluded[patch.patchi] && lsqWeight_[f] > 0;
         }
     }
 

@@ -445,6 +445,13 @@ void Foam::highSpeedGas::publish(const bool asWritten)
             Mp[i] = mag(Up[i])/a[slot + i];
         }
     }
+    for (fvPatchScalarField& Mp : Ma_.boundaryFieldRef())
+    {
+        if (Mp.type() == "wedge")
+        {
+            Mp.evaluate();
+        }
+    }
 }
 
 
