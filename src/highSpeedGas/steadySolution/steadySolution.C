@@ -208,7 +208,7 @@ bool Foam::steadySolution::converge
         // shocks cross cells, and the residual goes up and down by the time
         // that takes: steps are shortened where it rises by half.
         const bool headway = share == 1 && newton.norm() < 0.9*before;
-        const scalar small = max(scalar(20), 3e-3/newton.norm());
+        const scalar small = max(scalar(20), 0.1/newton.norm());
         const scalar ratio = before/newton.norm();
         Co *=
             share == 0 ? 0.25
