@@ -97,7 +97,7 @@ bool Foam::steadySolution::approach
     // An impulsive start needs the first steps to be short. The march is left
     // to Newton's method near the steady state, and where it no longer comes
     // nearer.
-    const label patience = toTheEnd ? 400 : 100;
+    const label patience = 100;
     const scalar near = toTheEnd ? 0 : 1e-3;
     scalar reference = GREAT;
     scalar Co = min(scalar(1), largestCo);
