@@ -104,23 +104,6 @@ void Foam::cellPlanes::findSplitBeyond()
 }
 
 
-Foam::triFace Foam::cellPlanes::triangle
-(
-    const label facei,
-    const label i
-) const
-{
-    const face& f = mesh_.faces()[facei];
-    const label base = max(mesh_.tetBasePtIs()[facei], label(0));
-    return triFace
-    (
-        f[base],
-        f[(base + i + 1) % f.size()],
-        f[(base + i + 2) % f.size()]
-    );
-}
-
-
 Foam::labelList Foam::cellPlanes::cellsAt
 (
     const label facei,
@@ -183,7 +166,7 @@ void Foam::cellPlanes::addFace(const label facei)
         point at = mesh_.faceCentres()[facei];
         if (byTriangles)
         {
-            const triFace t = triangle(facei, i);
+            const triFace t = triangles_(facei, i);
             n = normalised
             (
                 (points[t[1]] - points[t[0]]) ^ (points[t[2]] - points[t[0]])
@@ -249,7 +232,7 @@ bool Foam::cellPlanes::addTetrahedra(const label celli)
         for (label i = 0; i + 2 < mesh_.faces()[facei].size(); ++i)
         {
             const label tet = firstTet_[side][facei] + i;
-            const triFace t = triangle(facei, i);
+            const triFace t = triangles_(facei, i);
             const vector n =
                 (points[t[1]] - points[t[0]]) ^ (points[t[2]] - points[t[0]]);
             const scalar height =
@@ -294,9 +277,15 @@ bool Foam::cellPlanes::addTetrahedra(const label celli)
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::cellPlanes::cellPlanes(const polyMesh& mesh, const boolList& split)
+Foam::cellPlanes::cellPlanes
+(
+    const polyMesh& mesh,
+    const faceTriangles& triangles,
+    const boolList& split
+)
 :
     mesh_(mesh),
+    triangles_(triangles),
     split_(split),
     nSplit_(0),
     boundaryCells(mesh.nFaces() - mesh.nInternalFaces())

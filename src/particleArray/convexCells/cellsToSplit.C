@@ -102,8 +102,5 @@ Foam::boolList Foam::convexCells::cellsToSplit() const
         }
     }
 
-    // Trigger the parallel construction of the bases on every processor
-    (void)mesh_.tetBasePtIs();
-
     return split;
 }

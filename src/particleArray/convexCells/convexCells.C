@@ -21,7 +21,7 @@
 
 void Foam::convexCells::buildCells(const boolList& split)
 {
-    cellPlanes built(mesh_, split);
+    cellPlanes built(mesh_, triangles_, split);
     nSplit_ = built.nSplit();
     firstCell_.transfer(built.firstCell);
     meshCell_.transfer(built.meshCell);
@@ -223,6 +223,7 @@ void Foam::convexCells::buildBoundary()
 Foam::convexCells::convexCells(const polyMesh& mesh, const boolList& others)
 :
     mesh_(mesh),
+    triangles_(mesh),
     nSplit_(0),
     moving_(vector::one)
 {

@@ -343,6 +343,9 @@ void Foam::SpinningParcel<ParcelType>::transformProperties(const tensor& T)
     ParcelType::transformProperties(T);
     omega_ = det(T)*transform(T, omega_);
     this->UTurb_ = transform(T, this->UTurb_);
+
+    // On the other side of a period its coordinates say where it is
+    convexCell_ = -1;
 }
 
 
@@ -353,6 +356,7 @@ void Foam::SpinningParcel<ParcelType>::transformProperties
 )
 {
     ParcelType::transformProperties(separation);
+    convexCell_ = -1;
 }
 
 

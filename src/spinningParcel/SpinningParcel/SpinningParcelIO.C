@@ -35,13 +35,16 @@ Foam::SpinningParcel<ParcelType>::SpinningParcel
     {
         if (is.format() == IOstream::ASCII)
         {
-            is >> omega_ >> T_ >> nImpacts_ >> nEddies_;
+            is >> omega_ >> T_ >> x_.x >> x_.y >> x_.z >> convexCell_
+                >> nImpacts_ >> nEddies_;
         }
         else if (!is.checkLabelSize<label>() || !is.checkScalarSize<scalar>())
         {
             is.beginRawRead();
             readRawScalar(is, omega_.data(), vector::nComponents);
             readRawScalar(is, &T_);
+            readRawScalar(is, &x_.x, 3);
+            readRawLabel(is, &convexCell_);
             readRawLabel(is, &nImpacts_);
             readRawLabel(is, &nEddies_);
             is.endRawRead();
@@ -50,6 +53,11 @@ Foam::SpinningParcel<ParcelType>::SpinningParcel
         {
             is.read(reinterpret_cast<char*>(omega_.data()), sizeof(omega_));
             is.read(reinterpret_cast<char*>(&T_), sizeof(T_));
+            is.read(reinterpret_cast<char*>(&x_), sizeof(x_));
+            is.read
+            (
+                reinterpret_cast<char*>(&convexCell_), sizeof(convexCell_)
+            );
             is.read(reinterpret_cast<char*>(&nImpacts_), sizeof(nImpacts_));
             is.read(reinterpret_cast<char*>(&nEddies_), sizeof(nEddies_));
         }
@@ -253,11 +261,18 @@ Foam::Ostream& Foam::operator<<
     const SpinningParcel<ParcelType>& p
 )
 {
+    // Cells have other numbers elsewhere
+    typedef typename SpinningParcel<ParcelType>::flight flight;
+    const label cell = p.convexCell_ == -1 ? -1 : flight::passed;
     os << static_cast<const ParcelType&>(p);
     if (os.format() == IOstream::ASCII)
     {
         os  << token::SPACE << p.omega_
             << token::SPACE << p.T_
+            << token::SPACE << p.x_.x
+            << token::SPACE << p.x_.y
+            << token::SPACE << p.x_.z
+            << token::SPACE << cell
             << token::SPACE << p.nImpacts_
             << token::SPACE << p.nEddies_;
     }
@@ -269,6 +284,8 @@ Foam::Ostream& Foam::operator<<
             sizeof(p.omega_)
         );
         os.write(reinterpret_cast<const char*>(&p.T_), sizeof(p.T_));
+        os.write(reinterpret_cast<const char*>(&p.x_), sizeof(p.x_));
+        os.write(reinterpret_cast<const char*>(&cell), sizeof(cell));
         os.write
         (
             reinterpret_cast<const char*>(&p.nImpacts_),

@@ -51,6 +51,12 @@ void Foam::SpinningParcel<ParcelType>::locate
         celli = convexCell_;
         return;
     }
+    if (convexCell_ == flight::passed)
+    {
+        x = x_;
+        celli = cells.locate(this->cell(), x);
+        return;
+    }
     const polyMesh& mesh = cells.mesh();
     point at = ParcelType::position();
     if (mesh.nSolutionD() != 3)

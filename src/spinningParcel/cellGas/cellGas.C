@@ -266,8 +266,7 @@ void Foam::cellGas::bindWalls(const volVectorField& U)
             const bool onWall = faces[celli].found(facei);
             for (label j = 0; onWall && j < nTriangles; ++j)
             {
-                const triFace t =
-                    tetIndices(celli, facei, j + 1).faceTriIs(mesh_);
+                const triFace t = convex_.triangles()(facei, j);
                 DynamicList<condition> all;
                 all.append
                 (
@@ -413,9 +412,9 @@ Foam::cellGas::cellGas(const fvMesh& mesh, const word& scheme)
     {
         for (const label facei : mesh.cells()[celli])
         {
-            for (label i = 1; i < mesh.faces()[facei].size() - 1; ++i)
+            for (label i = 0; i + 2 < mesh.faces()[facei].size(); ++i)
             {
-                const triFace t = tetIndices(celli, facei, i).faceTriIs(mesh);
+                const triFace t = convex_.triangles()(facei, i);
                 tets_.push_back(tetrahedron{celli, {t[0], t[1], t[2]}, -1});
             }
         }

@@ -395,6 +395,12 @@ bool Foam::ParcelMotion<CloudType, Force>::move()
 
         if (bounded)
         {
+            const bool passed =
+                cells_.boundary()[-1 - next].kind == convexCells::processor;
+            if (passed)
+            {
+                p_.setFlight({x_, parcelType::flight::passed});
+            }
             p_.hitFace(fromCore(x_ - start), cloud_, td_);
             if (td_.keepParticle && !td_.switchProcessor)
             {

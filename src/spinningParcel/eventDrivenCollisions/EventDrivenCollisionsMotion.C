@@ -14,6 +14,10 @@ void Foam::EventDrivenCollisions<CloudType>::land(parcelType& p) const
         p.cell() = -1;
         p.land(cloud_.cells());
     }
+    else
+    {
+        p.setFlight({});
+    }
 }
 
 
@@ -82,7 +86,7 @@ void Foam::EventDrivenCollisions<CloudType>::beginPlan(flight& f, mission& m)
     const auto& from = f.start.where.where;
     m.path.x = toCore
     (
-        solved(from.cell >= 0 ? fromCore(from.x) : f.parcel->position())
+        solved(from.cell != -1 ? fromCore(from.x) : f.parcel->position())
     );
     m.path.v = toCore(solved(f.start.U));
     m.path.a = impact::vector3{0, 0, 0};

@@ -1,6 +1,7 @@
 # parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Impacts of the spin-carrying cloud on one, two and four ranks, on meshes of
-hexahedra, tetrahedra and polyhedra; stands in a temporary folder."""
+hexahedra, tetrahedra and polyhedra, and of hexahedra beside smaller ones whose
+faces are warped; stands in a temporary folder."""
 
 import csv
 import glob
@@ -9,9 +10,9 @@ import os
 
 import numpy as np
 
-from caseTools import (box, copy_case, decompose, must, read_field, solve,
-                       verdict, write_block, write_case, write_field,
-                       write_foam)
+from caseTools import (box, copy_case, decompose, must, read_field,
+                       read_points, solve, verdict, write_block, write_case,
+                       write_field, write_foam, write_points)
 
 LENGTH = np.array([0.02, 0.01, 0.01])
 N = (10, 5, 5)
@@ -35,7 +36,7 @@ subModels
         rake
         {
             type rakeInjection; start (0.0011 0.0013 0.0017);
-            end (0.0093 0.0083 0.0079); nParcels 150; diameter 8e-6;
+            end (0.0093 0.0083 0.0079); nParcels 300; diameter 8e-6;
             U0 (300 60 90);
         }
     }
@@ -99,15 +100,37 @@ def write_tetrahedra(case):
                "polyBoundaryMesh")
 
 
+def refine_and_warp(case):
+    """Halve some cells of a block and displace its inner points: faces of the
+    others have up to eight points, and some have a base point for their
+    tetrahedra that is not the first. Turned about z by a half, as decomposePar
+    turns faces round whose owner comes to the higher rank."""
+    random = np.random.default_rng(2)
+    some = np.nonzero(random.uniform(size=np.prod(N)) < 0.3)[0]
+    write_foam(case, "system/topoSetDict", "actions ( { name some; type"
+               " cellSet; action new; source labelToCell; value ("
+               + " ".join(map(str, some)) + "); } );")
+    must(case, "topoSet")
+    must(case, "refineHexMesh", "some", "-overwrite")
+    points = read_points(case)
+    inner = np.all((points > 1e-9) & (points < LENGTH - 1e-9), axis=1)
+    points[inner] += 1.5e-4*random.uniform(-1, 1, points.shape)[inner]
+    points[:, :2] = LENGTH[:2] - points[:, :2]
+    write_points(case, points)
+
+
 def make(case, scheme):
     write_case(case, {"endTime": 1e-4, "deltaT": 2e-6, "writeInterval": 1e-4,
+                      "writeFormat": "ascii", "writePrecision": 17,
                       "libs": "(spinningParcel parcelInjection"
                       " parcelWallInteraction)"}, {"mode": "frozen"})
     kind = case.split("_")[0]
-    if kind == "hexahedra":
+    if kind in ("hexahedra", "refined"):
         write_block(case, box(LENGTH), N, {
             side + end: "wall" for side in "xyz" for end in ("Min", "Max")})
         must(case, "blockMesh")
+        if kind == "refined":
+            refine_and_warp(case)
     else:
         write_tetrahedra(case)
     if kind == "polyhedra":
@@ -136,7 +159,7 @@ def impacts(case):
                    for r in rows))
 
 
-for kind in ("hexahedra", "tetrahedra", "polyhedra"):
+for kind in ("hexahedra", "tetrahedra", "polyhedra", "refined"):
     for scheme in ("cellLinear", "cellPoint"):
         case = f"{kind}_{scheme}"
         make(case, scheme)
