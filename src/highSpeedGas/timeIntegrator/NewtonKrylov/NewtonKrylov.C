@@ -14,6 +14,7 @@ Foam::NewtonKrylov::NewtonKrylov(gasEquations& gas)
     nUnknowns_(nCells_*nVar_),
     unknownScale_(nUnknowns_),
     equationScale_(nUnknowns_),
+    ownStep_(nCells_),
     baseResidual_(nUnknowns_),
     trial_(nUnknowns_),
     work_(nUnknowns_),
@@ -28,6 +29,20 @@ Foam::NewtonKrylov::NewtonKrylov(gasEquations& gas)
 void Foam::NewtonKrylov::setScales()
 {
     gas_.scales(unknownScale_, equationScale_);
+
+    const std::vector<double>& volume = gas_.geometry().volume;
+    scalar longest = 0;
+    for (label c = 0; c < nCells_; c++)
+    {
+        const label i = c*nVar_;
+        ownStep_[c] = volume[c]*unknownScale_[i]/equationScale_[i];
+        longest = max(longest, ownStep_[c]);
+    }
+    reduce(longest, maxOp<scalar>());
+    for (double& step : ownStep_)
+    {
+        step /= longest;
+    }
 }
 
 
@@ -116,11 +131,15 @@ bool Foam::NewtonKrylov::multiply
         }
         step *= 0.1;
     }
-    for (label i = 0; i < nUnknowns_; i++)
+    for (label c = 0; c < nCells_; c++)
     {
-        Av[i] =
-            v[i]/Co
-          - (gas_.rate[i]/equationScale_[i] - baseResidual_[i])/step;
+        const double inertia = ownStep_[c]/Co;
+        for (label i = c*nVar_; i < (c + 1)*nVar_; i++)
+        {
+            Av[i] =
+                inertia*v[i]
+              - (gas_.rate[i]/equationScale_[i] - baseResidual_[i])/step;
+        }
     }
     return true;
 }
@@ -288,19 +307,12 @@ Foam::scalar Foam::NewtonKrylov::step(const scalar Co, const int maxVectors)
         return 1;
     }
 
-    // An incomplete factorisation needs some weight on the diagonal
-    const scalar firmest = 200;
-    if (nVar_ == 4)
-    {
-        assemble<2>(min(Co, firmest));
-    }
-    else
-    {
-        assemble<3>(min(Co, firmest));
-    }
+    nVar_ == 4 ? assemble<2>(Co) : assemble<3>(Co);
 
+    // Where shocks cross cells steps are cut short, however well their
+    // equations are solved
     std::vector<double> change(nUnknowns_);
-    const bool found = solve(Co, 0.1, maxVectors, change);
+    const bool found = solve(Co, 0.3, maxVectors, change);
     scalar share = limit(change);
 
     // The way to the steady state may lead uphill, but not far

@@ -481,12 +481,16 @@ void Foam::NewtonKrylov::assemble(const scalar Co)
     {
         addDiffusion<nDim>();
     }
+
+    // An incomplete factorisation needs some weight on the diagonal
+    const scalar least = 1.0/200;
     for (label r = 0; r < nCells_; r++)
     {
         double* B = &block_[diagonal_[r]*nVar*nVar];
+        const double inertia = max(ownStep_[r]/Co, least);
         for (int k = 0; k < nVar; k++)
         {
-            B[k*nVar + k] += 1/Co;
+            B[k*nVar + k] += inertia;
         }
     }
 
