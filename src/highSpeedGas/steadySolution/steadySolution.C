@@ -97,11 +97,12 @@ bool Foam::steadySolution::approach
     // An impulsive start needs the first steps to be short. The march is left
     // to Newton's method near the steady state, and where it no longer comes
     // nearer.
-    const label patience = 100;
-    const scalar near = toTheEnd ? 0 : 1e-3;
+    const label patience = 50;
+    const scalar near = toTheEnd ? 0 : 1e-2;
     scalar reference = GREAT;
     scalar Co = min(scalar(1), largestCo);
     reducedRankExtrapolation slowModes(equations_);
+    label nJudged = 0;
 
     for (label i = 1; ; i++)
     {
@@ -117,7 +118,7 @@ bool Foam::steadySolution::approach
             return true;
         }
         report("Gauss-Seidel", Co);
-        if (toTheEnd && Co == largestCo)
+        if (Co == largestCo)
         {
             slowModes.follow(imbalance_.mean);
         }
@@ -126,9 +127,10 @@ bool Foam::steadySolution::approach
         {
             return true;
         }
-        if (i % patience == 0)
+        // (while steps grow there is none to be seen)
+        if ((Co == largestCo || i > patience) && nJudged++ % patience == 0)
         {
-            if (imbalance_.mean > 0.7*reference)
+            if (imbalance_.mean > 0.8*reference)
             {
                 return false;
             }
