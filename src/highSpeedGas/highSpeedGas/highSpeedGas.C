@@ -508,18 +508,21 @@ void Foam::highSpeedGas::align(shockAlignment& alignment)
 
     const processorTime timer(cpuTime_);
 
-    // The shock stands long before the last cell is at rest
-    const scalar residual = max(residual_, 1e-4);
+    // The shock stands long before the last cell is at rest, and longer where
+    // the mesh will have to move again
     const sigFpe::ignore untrapped;
 
     label round = 0;
-    findSteadyState(residual, false);
+    findSteadyState(max(residual_, 1e-2), false);
     publish();
     while (!alignment.follows(thermo_->p()) && round < alignment.rounds())
     {
         alignment.move(thermo_->p(), thermo_->T(), U_);
         setEquations(false);
-        findSteadyState(residual, true);
+        findSteadyState
+        (
+            max(residual_, alignment.inDoubt() ? 1e-3 : 1e-4), true
+        );
         publish();
         round++;
     }

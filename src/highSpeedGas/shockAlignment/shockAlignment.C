@@ -51,6 +51,8 @@ Foam::shockAlignment::shockAlignment(fvMesh& mesh, const dictionary& dict)
     layers_(mesh, bodyPatches(mesh, dict)),
     lines_(layers_.lines().size()),
     moves_(0),
+    width_(GREAT),
+    narrows_(true),
     doubt_(0),
     change_(GREAT)
 {
@@ -200,13 +202,22 @@ bool Foam::shockAlignment::follows(const volScalarField& p)
     doubt_ = max(doubt_, 4*changes[worst]);
     Info<< "Shock: moved by " << 100*change_ << " % of its distance, by "
         << 100*changes[worst] << " % at " << lines_[worst][0] << endl;
-    return change_ < tolerance_;
+    return rests();
+}
+
+
+bool Foam::shockAlignment::rests() const
+{
+    // A mesh made from one with a wider band has lines that are less smooth
+    // than they could be, and the gas at a stagnation point feels their kinks,
+    // however little the shock moves
+    return change_ < tolerance_ && !narrows_;
 }
 
 
 void Foam::shockAlignment::report() const
 {
-    if (change_ < tolerance_)
+    if (rests())
     {
         Info<< "Mesh: follows the shock after " << moves_ << " moves" << endl;
     }
@@ -384,6 +395,8 @@ void Foam::shockAlignment::move
     take(U, before, after);
 
     moves_++;
+    narrows_ = width < 0.9*width_;
+    width_ = width;
     Info<< "Mesh: band of " << width << ", outer boundary at " << outer
         << " times the distance of the shock, which is " << gMin(distance_)
         << " to " << gMax(distance_) << " m" << endl;
