@@ -473,6 +473,16 @@ bool Foam::highSpeedGas::findSteadyState
 }
 
 
+void Foam::highSpeedGas::report(const bool steady) const
+{
+    equations_->reportInletShocks(steady);
+    if (steady)
+    {
+        equations_->reportStagnation();
+    }
+}
+
+
 void Foam::highSpeedGas::setEquations(const bool restarts)
 {
     timeIntegrator_.clear();
@@ -527,7 +537,7 @@ void Foam::highSpeedGas::align(shockAlignment& alignment)
         round++;
     }
     alignment.report();
-    equations_->reportInletShocks(findSteadyState(residual_, true));
+    report(findSteadyState(residual_, true));
     publish();
 }
 
@@ -605,7 +615,7 @@ bool Foam::highSpeedGas::solve()
             {
                 steady = findSteadyState(residual_, false);
             }
-            equations_->reportInletShocks(steady);
+            report(steady);
             if (feedback_.valid())
             {
                 feedback_->beginStep();

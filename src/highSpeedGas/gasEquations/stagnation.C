@@ -1,0 +1,128 @@
+/*---------------------------------------------------------------------------*\
+    parcelImpact. License: GPL-3.0-or-later, see COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "gasEquations.H"
+
+bool Foam::gasEquations::supersonicStream
+(
+    scalar& largestMach,
+    scalar& leastPitot
+) const
+{
+    const scalar gamma = 1 + eos_.R/eos_.cv;
+    label nSubsonic = 0;
+    largestMach = 0;
+    leastPitot = GREAT;
+
+    for (const gasMesh::patchRange& patch : geometry_.patches())
+    {
+        const label end = patch.start + patch.size;
+        for
+        (
+            label f = patch.coupled || patch.image() ? end : patch.start;
+            f < end;
+            f++
+        )
+        {
+            const double* q = &primitive[geometry_.far[f]*nVar_];
+            double a;
+            if (outwardSpeed(f, q, a) > -1e-6*a)
+            {
+                continue;
+            }
+            double uu = 0;
+            for (int k = 2; k < nVar_; k++)
+            {
+                uu += q[k]*q[k];
+            }
+            const scalar MM = uu/(a*a);
+            if (MM <= 1)
+            {
+                nSubsonic++;
+                continue;
+            }
+            const scalar pitot =
+                q[0]*(1 - gamma + 2*gamma*MM)/(gamma + 1)
+               *std::pow
+                (
+                    sqr(gamma + 1)*MM/(4*gamma*MM - 2*(gamma - 1)),
+                    gamma/(gamma - 1)
+                );
+            largestMach = max(largestMach, std::sqrt(MM));
+            leastPitot = min(leastPitot, pitot);
+        }
+    }
+    reduce(nSubsonic, sumOp<label>());
+    reduce(largestMach, maxOp<scalar>());
+    reduce(leastPitot, minOp<scalar>());
+    return nSubsonic == 0 && largestMach > 0;
+}
+
+
+void Foam::gasEquations::reportStagnation() const
+{
+    if (viscous_ || eos_.thermallyPerfect() || !source_.empty())
+    {
+        return;
+    }
+    scalar streamMach;
+    scalar pitot;
+    if (!supersonicStream(streamMach, pitot))
+    {
+        return;
+    }
+
+    // Gas that has come nearly to rest, at a pressure that only gas behind
+    // no more than one strong shock has: no wake
+    const scalar leastPressure = 0.8*pitot;
+    const scalar mostMach = 0.2;
+
+    const scalar gamma = 1 + eos_.R/eos_.cv;
+    scalar largest = 0;
+    scalar volume = 0;
+    scalar total = 0;
+    vector place(Zero);
+    label nCells = 0;
+    for (label c = 0; c < geometry_.nCells(); c++)
+    {
+        const double* q = &primitive[c*nVar_];
+        double uu = 0;
+        for (int k = 2; k < nVar_; k++)
+        {
+            uu += q[k]*q[k];
+        }
+        const scalar MM = uu/eos_.soundSpeedSqr<false>(q[1]);
+        largest = max(largest, MM);
+        if (q[0] > leastPressure && MM < sqr(mostMach))
+        {
+            const scalar V = geometry_.volume[c];
+            nCells++;
+            volume += V;
+            place += V*mesh_.C()[geometry_.meshCell[c]];
+            total +=
+                V*q[0]
+               *std::pow(1 + 0.5*(gamma - 1)*MM, gamma/(gamma - 1));
+        }
+    }
+    reduce(largest, maxOp<scalar>());
+    reduce(nCells, sumOp<label>());
+    reduce(volume, sumOp<scalar>());
+    reduce(total, sumOp<scalar>());
+    reduce(place, sumOp<vector>());
+
+    // (a captured shock may overshoot by some per cent)
+    const bool expands = largest > sqr(1.05*streamMach);
+    const scalar lost = nCells ? 1 - total/(volume*pitot) : 0;
+    if (!expands && lost > 0.03)
+    {
+        WarningInFunction
+            << "In " << nCells << " cells around " << place/volume
+            << " the gas comes nearly to rest, and its total pressure is "
+            << 100*lost << " % below that behind a normal shock of the"
+            << " stream, the least that one shock leaves. The gas is steady,"
+            << " but the mesh does not resolve the shock and what is between"
+            << " it and the body: take smaller cells there, or layers that"
+            << " alignMeshToShock can move" << endl;
+    }
+}
