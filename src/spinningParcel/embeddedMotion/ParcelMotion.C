@@ -395,9 +395,7 @@ bool Foam::ParcelMotion<CloudType, Force>::move()
 
         if (bounded)
         {
-            const bool passed =
-                cells_.boundary()[-1 - next].kind == convexCells::processor;
-            if (passed)
+            if (cells_.boundary()[-1 - next].kind == convexCells::processor)
             {
                 p_.setFlight({x_, parcelType::flight::passed});
             }
