@@ -10,7 +10,6 @@ bool Foam::gasEquations::supersonicStream
     scalar& leastPitot
 ) const
 {
-    const scalar gamma = 1 + eos_.R/eos_.cv;
     label nSubsonic = 0;
     largestMach = 0;
     leastPitot = GREAT;
@@ -42,15 +41,8 @@ bool Foam::gasEquations::supersonicStream
                 nSubsonic++;
                 continue;
             }
-            const scalar pitot =
-                q[0]*(1 - gamma + 2*gamma*MM)/(gamma + 1)
-               *std::pow
-                (
-                    sqr(gamma + 1)*MM/(4*gamma*MM - 2*(gamma - 1)),
-                    gamma/(gamma - 1)
-                );
             largestMach = max(largestMach, std::sqrt(MM));
-            leastPitot = min(leastPitot, pitot);
+            leastPitot = min(leastPitot, q[0]*eos_.pitotRatio(MM));
         }
     }
     reduce(nSubsonic, sumOp<label>());
@@ -78,7 +70,6 @@ void Foam::gasEquations::reportStagnation() const
     const scalar leastPressure = 0.8*pitot;
     const scalar mostMach = 0.2;
 
-    const scalar gamma = 1 + eos_.R/eos_.cv;
     scalar largest = 0;
     scalar volume = 0;
     scalar total = 0;
@@ -100,9 +91,7 @@ void Foam::gasEquations::reportStagnation() const
             nCells++;
             volume += V;
             place += V*mesh_.C()[geometry_.meshCell[c]];
-            total +=
-                V*q[0]
-               *std::pow(1 + 0.5*(gamma - 1)*MM, gamma/(gamma - 1));
+            total += V*q[0]*eos_.stagnationRatio(MM);
         }
     }
     reduce(largest, maxOp<scalar>());

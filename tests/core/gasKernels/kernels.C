@@ -3,7 +3,8 @@
 
 Description
     Kernels of the gas: fluxes against the exact flux where it is known,
-    reconstruction against the definitions of the limiters.
+    reconstruction against the definitions of the limiters, pressures of gas
+    that comes to rest.
 \*---------------------------------------------------------------------------*/
 
 #include "fluxes.H"
@@ -219,6 +220,28 @@ TEST(fluxes, takeTheUpwindStateInSupersonicFlow)
             const double mass = block->L[0][i]/(air().R*block->L[1][i])*2000;
             EXPECT_NEAR(block->flux[0][i]/mass, 1, 1e-12) << name;
         }
+    }
+}
+
+
+TEST(equationOfState, bringsGasToRestWithoutLossAndBehindAShock)
+{
+    // Tables of NACA report 1135, four digits
+    EXPECT_NEAR(air().stagnationRatio(4), 1/0.1278, 0.004);
+    EXPECT_NEAR(air().stagnationRatio(36), 1/0.6334e-3, 0.13);
+    EXPECT_NEAR(air().pitotRatio(4), 5.640, 0.0005);
+    EXPECT_NEAR(air().pitotRatio(36), 46.82, 0.005);
+
+    // The jumps of a normal shock, then rest without loss
+    for (const double MM : {1., 1.5, 4., 36., 400.})
+    {
+        const double jump = 1 + 7./6*(MM - 1);
+        const double behind = (MM + 5)/(7*MM - 1);
+        EXPECT_NEAR
+        (
+            air().pitotRatio(MM)/(jump*air().stagnationRatio(behind)), 1,
+            1e-14
+        );
     }
 }
 
