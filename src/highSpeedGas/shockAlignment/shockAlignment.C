@@ -89,7 +89,7 @@ Foam::shockAlignment::shockAlignment(fvMesh& mesh, const dictionary& dict)
         i++;
     }
     const scalar cell = x[i + 1] - x[i];
-    const scalar share = min(1.0/3, 100*cell);
+    const scalar share = min(1.0/3, 40*cell);
     tolerance_ = getNumber(dict, "tolerance", "(0, 1)", share*cell);
 
     forAll(lines_, linei)

@@ -48,7 +48,7 @@ for body, M, outer, cells in (
     verdict(case + "_standoff", abs(standoff - standoff0) < bound,
             f"{standoff:.5f} of the radius, exact {standoff0}")
     verdict(case + "_velocity_gradient",
-            abs(gradient/gradient0 - 1) < (0.005 if fine else 0.01),
+            abs(gradient/gradient0 - 1) < 10*bound,
             f"{gradient:.4f}, exact {gradient0}")
     if case == "half_6":
         exact = np.genfromtxt(
