@@ -87,18 +87,17 @@ void Foam::steadySolution::integrateExplicitly()
 }
 
 
-bool Foam::steadySolution::approach
+void Foam::steadySolution::approach
 (
     ImplicitGaussSeidel& implicit,
     const scalar largestCo,
-    const bool toTheEnd
+    const scalar until
 )
 {
     // An impulsive start needs the first steps to be short. The march is left
     // to Newton's method near the steady state, and where it no longer comes
     // nearer.
     const label patience = 50;
-    const scalar near = toTheEnd ? 0 : 1e-2;
     scalar reference = GREAT;
     scalar Co = min(scalar(1), largestCo);
     reducedRankExtrapolation slowModes(equations_);
@@ -115,7 +114,7 @@ bool Foam::steadySolution::approach
 
         if (finished())
         {
-            return true;
+            return;
         }
         report("Gauss-Seidel", Co);
         if (Co == largestCo)
@@ -123,16 +122,16 @@ bool Foam::steadySolution::approach
             slowModes.follow(imbalance_.mean);
         }
 
-        if (imbalance_.value() < near)
+        if (imbalance_.value() < until)
         {
-            return true;
+            return;
         }
         // (while steps grow there is none to be seen)
         if ((Co == largestCo || i > patience) && nJudged++ % patience == 0)
         {
             if (imbalance_.mean > 0.8*reference)
             {
-                return false;
+                return;
             }
             reference = imbalance_.mean;
         }
@@ -140,17 +139,11 @@ bool Foam::steadySolution::approach
 }
 
 
-bool Foam::steadySolution::converge
-(
-    NewtonKrylov& newton,
-    const bool sweepsDecay
-)
+bool Foam::steadySolution::converge(NewtonKrylov& newton)
 {
-    // A product costs about as much as an iteration of the sweeps: where they
-    // were on their way it must be worth it at once. Where the gas waits for
-    // its eddies neither method is to blame.
-    const label patience =
-        sweepsDecay && !equations_.turbulent() ? 300 : 1000;
+    // A product costs about as much as an iteration of the sweeps, which lead
+    // away from a state that is nearly steady
+    const label patience = 1000;
     const label maxUnsolved = 4;
     const label maxAlike = 10;
     const scalar firstCo = 10;
@@ -265,7 +258,10 @@ bool Foam::steadySolution::solve(const bool near)
         ImplicitGaussSeidel implicit(equations_, 4);
         std::unique_ptr<NewtonKrylov> newton;
         scalar Co = settings_.maxCo;
-        bool decays = false;
+
+        // Where Newton's method takes over. Where shocks have far to go it is
+        // slower than sweeps
+        const scalar handOver = near ? 1e-2 : 1e-3;
 
         // A march from far away begins with first-order fluxes
         equations_.computeRate();
@@ -279,13 +275,13 @@ bool Foam::steadySolution::solve(const bool near)
             if (!near)
             {
                 equations_.roughen(true);
-                approach(implicit, Co);
+                approach(implicit, Co, handOver);
                 equations_.roughen(false);
                 equations_.computeRate();
             }
             if (!finished())
             {
-                decays = approach(implicit, Co);
+                approach(implicit, Co, handOver);
             }
             equations_.flattenShocks(flat);
             equations_.computeRate();
@@ -296,15 +292,15 @@ bool Foam::steadySolution::solve(const bool near)
             {
                 newton.reset(new NewtonKrylov(equations_));
             }
-            if (!converge(*newton, decays))
+            if (!converge(*newton))
             {
-                decays = approach(implicit, settings_.maxCo, true);
+                approach(implicit, settings_.maxCo, 0);
             }
             else if (!finished())
             {
                 // Shorter steps may lead to where Newton's method succeeds
                 Co = max(Co/3, min(scalar(2), settings_.maxCo));
-                decays = approach(implicit, Co);
+                approach(implicit, Co, handOver);
             }
         }
     }

@@ -309,10 +309,9 @@ Foam::scalar Foam::NewtonKrylov::step(const scalar Co, const int maxVectors)
 
     nVar_ == 4 ? assemble<2>(Co) : assemble<3>(Co);
 
-    // Where shocks cross cells steps are cut short, however well their
-    // equations are solved
+    // Solved less well, long steps go round in circles before the steady state
     std::vector<double> change(nUnknowns_);
-    const bool found = solve(Co, 0.3, maxVectors, change);
+    const bool found = solve(Co, 0.1, maxVectors, change);
     scalar share = limit(change);
 
     // The way to the steady state may lead uphill, but not far
