@@ -185,7 +185,6 @@ void Foam::EventDrivenCollisions<CloudType>::planAll()
     if (Pstream::parRun())
     {
         handOn();
-        makeHalo();
     }
 }
 

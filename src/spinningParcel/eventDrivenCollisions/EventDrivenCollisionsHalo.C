@@ -179,15 +179,11 @@ void Foam::EventDrivenCollisions<CloudType>::handOn()
 template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::makeHalo()
 {
-    const auto box = [&](const std::int32_t i)
-    {
-        return boxOf(path(i), radius(i));
-    };
     const std::int32_t own = freeMotions_.size();
     reach_ = 0;
     for (std::int32_t i = 0; i < own; ++i)
     {
-        reach_ = max(reach_, box(i).extent());
+        reach_ = max(reach_, step_.swept(i).extent());
     }
     reduce(reach_, maxOp<scalar>());
     territories_->setReach(reach_);
@@ -211,13 +207,14 @@ void Foam::EventDrivenCollisions<CloudType>::makeHalo()
         {
             continue;
         }
-        const impact::sweptBox b(box(i));
+        const impact::sweptBox b(step_.swept(i));
         if (!meetsOthers(b))
         {
             continue;
         }
         trajectory& c = at(i);
         c.shared = true;
+        step_.take(i);
         sharedAt_[c.identity] = i;
         for (label rank = 0; rank < Pstream::nProcs(); ++rank)
         {

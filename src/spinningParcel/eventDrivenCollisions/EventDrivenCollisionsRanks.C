@@ -635,6 +635,8 @@ template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::settle()
 {
     step_.begin(*this, deltaT_);
+    makeHalo();
+    step_.takeMore();
     const int nSlices = returnReduce(step_.slices(), maxOp<label>());
     for (int k = 0; k < nSlices; ++k)
     {
