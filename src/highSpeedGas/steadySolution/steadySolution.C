@@ -142,8 +142,9 @@ void Foam::steadySolution::approach
 bool Foam::steadySolution::converge(NewtonKrylov& newton)
 {
     // A product costs about as much as an iteration of the sweeps, which lead
-    // away from a state that is nearly steady
-    const label patience = 1000;
+    // away from a state that is nearly steady. Where the gas waits for its
+    // eddies neither method is to blame.
+    const label patience = equations_.turbulent() ? 1000 : 500;
     const label maxUnsolved = 4;
     const label maxAlike = 10;
     const scalar firstCo = 10;
