@@ -440,6 +440,56 @@ TEST(collisionStep, doesNotDependOnTheOrderOfTheParticles)
 }
 
 
+TEST(collisionStep, takesMoreParticlesAndNewPathsBeforeItsSlices)
+{
+    balls<straightPath> gas(200, 5, false, false, 5);
+    gas.domain.periodic[0] = true;
+    balls<straightPath> parts = gas;
+    const double end = 0.5;
+    collisionStep<balls<straightPath>> a(gas.domain), b(gas.domain);
+    a.run(gas, end);
+
+    // Half of them come later, the others fly another way until then
+    const auto half = parts.all.begin() + 100;
+    const auto later = std::vector<balls<straightPath>::ball>
+        (half, parts.all.end());
+    parts.all.erase(half, parts.all.end());
+    const auto first = parts.all;
+    for (auto& ball : parts.all)
+    {
+        ball.path.x.y += 2.5;
+        ball.path.v = {0, 0, 20};
+    }
+    b.begin(parts, end);
+    EXPECT_NEAR(b.swept(7).extent(), 20*end + 2*parts.all[7].r, 1e-9);
+    parts.all = first;
+    for (int i = 0; i < 100; ++i)
+    {
+        b.take(i);
+    }
+    parts.all.insert(parts.all.end(), later.begin(), later.end());
+    b.takeMore();
+    const int nSlices = b.slices();
+    for (int k = 0; k < nSlices; ++k)
+    {
+        b.beginSlice(parts, k, nSlices);
+        collisionEvent e;
+        while (b.next(e))
+        {
+            b.happen(parts, e);
+        }
+    }
+    EXPECT_GT(gas.happenings.size(), 50u);
+    ASSERT_EQ(gas.happenings.size(), parts.happenings.size());
+    for (std::size_t k = 0; k < gas.happenings.size(); ++k)
+    {
+        EXPECT_EQ(gas.happenings[k].time, parts.happenings[k].time);
+        EXPECT_EQ(gas.happenings[k].first, parts.happenings[k].first);
+        EXPECT_EQ(gas.happenings[k].second, parts.happenings[k].second);
+    }
+}
+
+
 TEST(collisionStep, ordersEventsOfOneInstantByIdentity)
 {
     // Two spheres hit a third from both sides at the same instant
