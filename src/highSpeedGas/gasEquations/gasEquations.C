@@ -22,7 +22,12 @@ static wordList listOf(const std::vector<std::string>& names)
 
 
 //- The limiter that the first entry found of the given ones names
-static word readLimiter(const dictionary& schemes, const wordList& keys)
+static word readLimiter
+(
+    const dictionary& schemes,
+    const wordList& keys,
+    const word& otherwise
+)
 {
     const dictionary& interpolation = schemes.subDict("interpolationSchemes");
 
@@ -66,13 +71,13 @@ static word readLimiter(const dictionary& schemes, const wordList& keys)
         }
         return name;
     }
-    return "vanAlbada";
+    return otherwise;
 }
 
 } // End namespace Foam
 
 
-void Foam::gasEquations::setSchemes()
+void Foam::gasEquations::setSchemes(const bool steady)
 {
     const dictionary& schemes = mesh_.schemesDict();
     const word fluxName(schemes.getOrDefault<word>("fluxScheme", "HLLC"));
@@ -102,10 +107,13 @@ void Foam::gasEquations::setSchemes()
     const int ends[3] = {1, 2, nVar_};
     word limiters[3];
 
+    // In time the limiter of the stock central solver's tutorials, which loses
+    // less at edges; it is not smooth enough for a steady state to come to rest
+    const word otherwise(steady ? "vanAlbada" : "vanLeer");
     reconstruction_.clear();
     for (int i = 0; i < 3; i++)
     {
-        limiters[i] = readLimiter(schemes, keys[i]);
+        limiters[i] = readLimiter(schemes, keys[i], otherwise);
         if (i > 0 && limiters[i] == limiters[i - 1])
         {
             reconstruction_.back().end = ends[i];
@@ -155,6 +163,7 @@ Foam::gasEquations::gasEquations
     volScalarField& rho,
     surfaceScalarField& phi,
     const bool viscous,
+    const bool steady,
     const bool restarts
 )
 :
@@ -184,7 +193,7 @@ Foam::gasEquations::gasEquations
 {
     setEquationOfState();
     setTransport();
-    setSchemes();
+    setSchemes(steady);
     setPatches();
     properties_.reset
     (

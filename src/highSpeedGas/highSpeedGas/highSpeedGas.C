@@ -491,7 +491,8 @@ void Foam::highSpeedGas::setEquations(const bool restarts)
     (
         new gasEquations
         (
-            mesh_, *thermo_, U_, rho_, phi_, viscous_, restarts
+            mesh_, *thermo_, U_, rho_, phi_, viscous_,
+            mode_ == modeType::steady, restarts
         )
     );
     timeIntegrator_.reset(new RungeKutta(*equations_, stages_));
