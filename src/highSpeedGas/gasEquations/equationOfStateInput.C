@@ -54,13 +54,18 @@ void Foam::gasEquations::refuseOtherGases() const
 {
     const IOdictionary& properties = thermo_;
     const dictionary& type = properties.subDict("thermoType");
-    const word state(type.get<word>("equationOfState"));
+    // Liquids have properties instead
+    const word key
+    (
+        type.found("properties") ? "properties" : "equationOfState"
+    );
+    const word state(type.get<word>(key));
     const word mixture(type.get<word>("mixture"));
 
     if (state != "perfectGas")
     {
         FatalIOErrorInFunction(type)
-            << "equationOfState " << state << " is not a perfect gas." << nl
+            << key << " " << state << " is not a perfect gas." << nl
             << "Valid equationOfState: perfectGas" << exit(FatalIOError);
     }
     if (mixture != "pureMixture")

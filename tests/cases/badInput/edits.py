@@ -45,6 +45,17 @@ def without_patch(case):
         file.write(re.sub(r"\n\s*outlet\s*\{[^}]*\}", "", text))
 
 
+def liquid(case):
+    write_foam(case, THERMO, """
+thermoType
+{
+    type heRhoThermo; mixture pureMixture; properties liquid;
+    energy sensibleInternalEnergy;
+}
+mixture { H2O; }
+""")
+
+
 def several_gases(case):
     write_foam(case, THERMO, """
 thermoType
@@ -241,6 +252,7 @@ TABLE = [
      ["equationOfState", "rhoConst", "perfectGas", "thermophysical"]),
     ("icoPolynomial", dense("icoPolynomial"),
      ["equationOfState", "icoPolynomial", "perfectGas"]),
+    ("liquid", liquid, ["properties liquid", "perfectGas", "thermophysical"]),
     ("reactingMixture", several_gases,
      ["mixture reactingMixture", "pureMixture"]),
     ("noSpecificHeat", replace(THERMO, "Cp          1004.675", "Cp 200"),
