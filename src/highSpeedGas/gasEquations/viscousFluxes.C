@@ -20,14 +20,10 @@ void Foam::gasEquations::viscousFlux
     const double* delta = &geometry_.delta[f*nDim];
     const double* n = &geometry_.normal[f*nDim];
 
-    double dd = 0;
-    for (int d = 0; d < nDim; d++)
-    {
-        dd += delta[d]*delta[d];
-    }
-
-    // Mean gradient of temperature and velocity, with its part along the line
-    // of centres replaced by the difference over it
+    // Mean gradient of temperature and velocity, its normal part such that it
+    // gives the difference along the line of centres. To change the part along
+    // that line instead leaves the face without its own difference where the
+    // line leans: thin cells beside a sharp tip had no friction.
     double g[nDim][nVar];
     double q[nVar];
     for (int k = 1; k < nVar; k++)
@@ -38,10 +34,11 @@ void Foam::gasEquations::viscousFlux
             g[d][k] = (1 - share)*go[d*nVar + k] + share*gf[d*nVar + k];
             along += g[d][k]*delta[d];
         }
-        const double defect = (qf[k] - qo[k] - along)/dd;
+        const double defect =
+            (qf[k] - qo[k] - along)/geometry_.normalDistance[f];
         for (int d = 0; d < nDim; d++)
         {
-            g[d][k] += defect*delta[d];
+            g[d][k] += defect*n[d];
         }
         q[k] = (1 - share)*qo[k] + share*qf[k];
     }
