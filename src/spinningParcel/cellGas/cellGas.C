@@ -136,7 +136,7 @@ void Foam::cellGas::bind(field& f, const UList<condition>& all)
     const labelList chosen(choose(all));
 
     // The normals, made a basis with directions across them all
-    vector n[3];
+    vector n[3] = {Zero, Zero, Zero};
     forAll(chosen, i)
     {
         n[i] = all[chosen[i]].n;
