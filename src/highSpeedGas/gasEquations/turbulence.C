@@ -21,13 +21,26 @@ Foam::scalar Foam::gasEquations::relaxTurbulence()
     turbulence_.correct(false);
     turbulence_.take(eddyViscosity_, eddyDiffusivity_);
 
+    // On the way to a steady state a model can find eddies where there is no
+    // flow yet: k and epsilon that both fall towards zero leave any quotient.
+    // No flow has a hundred thousand times the viscosity; as long as some cell
+    // would, the gas is not steady.
     scalar largest = 0;
-    for (label c = 0; c < geometry_.nCells(); c++)
+    for (label s = 0; s < geometry_.nSlots(); s++)
     {
-        const double mu =
-            eos_.viscosity(primitive[c*nVar_ + 1])
-          + max(eddyViscosity_[c], before[c]);
-        largest = max(largest, mag(eddyViscosity_[c] - before[c])/mu);
+        const double mu = eos_.viscosity(primitive[s*nVar_ + 1]);
+        const double most = 1e5*mu;
+        if (eddyViscosity_[s] > most)
+        {
+            eddyDiffusivity_[s] *= most/eddyViscosity_[s];
+            eddyViscosity_[s] = most;
+            largest = 1;
+        }
+        else if (s < geometry_.nCells())
+        {
+            const double sum = mu + max(eddyViscosity_[s], before[s]);
+            largest = max(largest, mag(eddyViscosity_[s] - before[s])/sum);
+        }
     }
     return returnReduce(largest, maxOp<scalar>());
 }
