@@ -136,8 +136,6 @@ ROWS = (
          solver="rhoSimpleFoam", mesh=("transformPoints -scale '(1 0 1)'",
                                        "extrudeMesh"),
          end=(None, 1000), steady=True, stock=0.005),
-    dict(name="squareBend", path="compressible/rhoSimpleFoam/squareBend",
-         solver="rhoSimpleFoam", end=(None, 500), steady=True, stock=0.02),
     # The fields of the tutorial's start are not at rest: their p, 24 % from
     # ours (L1), is 19 % from it after 5500 local steps of the stock solver
     dict(name="biconic", path=C + "biconic25-55Run35", solver="rhoCentralFoam",
