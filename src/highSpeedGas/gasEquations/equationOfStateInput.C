@@ -54,6 +54,7 @@ void Foam::gasEquations::refuseOtherGases() const
 {
     const IOdictionary& properties = thermo_;
     const dictionary& type = properties.subDict("thermoType");
+
     // Liquids have properties instead
     const word key
     (

@@ -182,6 +182,7 @@ Foam::gasEquations::gasEquations
     warnedOfTemperature_(false),
     viscous_(viscous),
     turbulence_(geometry_, rho, U, phi, thermo, viscous),
+    nCutEddies_(0),
     passed_(0),
     rough_(false),
     invalid_(geometry_.nSlots(), 0),

@@ -336,6 +336,13 @@ bool Foam::steadySolution::solve(const bool near)
             Info<< "; the eddy viscosity changes by " << eddyChange_
                 << " of the viscosity in an iteration";
         }
+        if (equations_.nCutEddies() > 0)
+        {
+            Info<< "; the turbulence model gives " << equations_.nCutEddies()
+                << " cells an eddy viscosity beyond that of eddies as fast as"
+                << " sound and a tenth of the mesh in size: look at its values"
+                << " at the start and where the gas comes in";
+        }
         Info<< endl;
     }
     return steady();
