@@ -187,7 +187,8 @@ def rarefied(file):
         if file != "dsmcProperties":
             text = change(annotated("solidParticleProperties"),
                           (r"box(\s+)\(0 0 0\) \([^)]*\)",
-                           r"box\1(0 0 0) (1 1 1)"))
+                           r"box\1(0 0 0) (1 1 1)"),
+                          (r"\(1e3 2e2\)", "(1e5 2e4)"))
             with open(f"{case}/constant/solidParticleProperties", "w") as out:
                 out.write(text)
     return Subject(file, f"constant/{file}", build, ["dsmcParcelFoam"],
