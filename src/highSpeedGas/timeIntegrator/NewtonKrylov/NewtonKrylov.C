@@ -153,62 +153,53 @@ bool Foam::NewtonKrylov::solve
     std::vector<double>& change
 )
 {
-    // (vectors of longer solutions are kept for those to come)
-    basis_.resize(max(std::size_t(mMax + 1), basis_.size()));
-
     const scalar start = std::sqrt(dot(baseResidual_, baseResidual_));
     std::vector<std::vector<double>> H(mMax);
     std::vector<double> g(mMax + 1, 0);
     std::vector<double> cosine(mMax);
     std::vector<double> sine(mMax);
+    std::vector<double> w(nUnknowns_);
 
-    basis_[0] = baseResidual_;
-    for (double& b : basis_[0])
+    const auto sum = [](double* values, const int n)
     {
-        b /= start;
-    }
+        if (Pstream::parRun())
+        {
+            List<scalar> all(UList<scalar>(values, n));
+            Pstream::listCombineGather(all, plusEqOp<scalar>());
+            Pstream::listCombineScatter(all);
+            std::copy(all.begin(), all.end(), values);
+        }
+    };
+
+    // (vectors of longer solutions are kept for those to come)
+    basis_.set(0, baseResidual_, start);
     g[0] = start;
 
     int m = 0;
     while (m < mMax && mag(g[m]) > tolerance*start)
     {
-        precondition(basis_[m], work_);
-        std::vector<double>& w = basis_[m + 1];
-        w.resize(nUnknowns_);
+        basis_.get(m, w);
+        precondition(w, work_);
+
+        // The difference is of a vector of unit length
+        const scalar scale = std::sqrt(dot(work_, work_));
+        for (double& x : work_)
         {
-            // The difference is of a vector of unit length
-            const scalar length = std::sqrt(dot(work_, work_));
-            for (double& x : work_)
-            {
-                x /= length;
-            }
-            if (!multiply(work_, Co, w))
-            {
-                break;
-            }
-            for (double& x : w)
-            {
-                x *= length;
-            }
+            x /= scale;
+        }
+        if (!multiply(work_, Co, w))
+        {
+            break;
+        }
+        for (double& x : w)
+        {
+            x *= scale;
         }
 
         std::vector<double>& h = H[m];
-        h.assign(m + 2, 0);
-        for (int i = 0; i <= m; i++)
-        {
-            h[i] = dot(w, basis_[i]);
-            const double hi = h[i];
-            for (label k = 0; k < nUnknowns_; k++)
-            {
-                w[k] -= hi*basis_[i][k];
-            }
-        }
-        h[m + 1] = std::sqrt(dot(w, w));
-        const double inverse = 1/max(h[m + 1], VSMALL);
-        for (double& x : w)
-        {
-            x *= inverse;
-        }
+        h.resize(m + 2);
+        basis_.remove(m + 1, w, h.data(), sum);
+        basis_.set(m + 1, w, max(h[m + 1], VSMALL));
 
         for (int i = 0; i < m; i++)
         {
@@ -239,13 +230,7 @@ bool Foam::NewtonKrylov::solve
     }
 
     std::fill(change.begin(), change.end(), 0);
-    for (int i = 0; i < m; i++)
-    {
-        for (label k = 0; k < nUnknowns_; k++)
-        {
-            change[k] += y[i]*basis_[i][k];
-        }
-    }
+    basis_.add(m, 1, y.data(), change);
     precondition(change, work_);
     change = work_;
     return m > 0;

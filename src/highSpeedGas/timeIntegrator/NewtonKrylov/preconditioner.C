@@ -169,7 +169,7 @@ inline void frictionJacobian
 
 
 template<int n>
-inline void invert(double* M)
+inline void invert(float* M)
 {
     double w[n][2*n];
     for (int i = 0; i < n; i++)
@@ -217,7 +217,7 @@ inline void invert(double* M)
 
 //- y -= M x
 template<int n>
-inline void subtractProduct(const double* M, const double* x, double* y)
+inline void subtractProduct(const float* M, const double* x, double* y)
 {
     for (int i = 0; i < n; i++)
     {
@@ -231,8 +231,8 @@ inline void subtractProduct(const double* M, const double* x, double* y)
 }
 
 
-template<int n>
-inline void multiplyBlocks(const double* a, const double* b, double* c)
+template<int n, class Type>
+inline void multiplyBlocks(const Type* a, const float* b, double* c)
 {
     for (int i = 0; i < n; i++)
     {
@@ -256,41 +256,48 @@ void Foam::NewtonKrylov::setBlocks()
 {
     const gasMesh& mesh = gas_.geometry();
 
-    rowStart_.assign(1, 0);
-    diagonal_.resize(nCells_);
-    std::vector<int> columns;
+    std::vector<std::vector<int>> columns(nCells_);
     for (label r = 0; r < nCells_; r++)
     {
-        columns.assign(1, r);
+        columns[r].assign(1, r);
         for (int i = mesh.cellStart[r]; i < mesh.cellStart[r + 1]; i++)
         {
             if (mesh.neighbour[i] < nCells_)
             {
-                columns.push_back(mesh.neighbour[i]);
+                columns[r].push_back(mesh.neighbour[i]);
             }
         }
-        std::sort(columns.begin(), columns.end());
-        columns.erase
+        std::sort(columns[r].begin(), columns[r].end());
+        columns[r].erase
         (
-            std::unique(columns.begin(), columns.end()),
-            columns.end()
+            std::unique(columns[r].begin(), columns[r].end()),
+            columns[r].end()
         );
-        for (const int column : columns)
-        {
-            if (column == r)
-            {
-                diagonal_[r] = label(column_.size());
-            }
-            column_.push_back(column);
-        }
-        rowStart_.push_back(label(column_.size()));
     }
-
-    auto place = [&](const int row, const int column)
+    const auto number = [&](std::vector<int>& start, const bool lower)
     {
-        const auto start = column_.begin() + rowStart_[row];
-        const auto end = column_.begin() + rowStart_[row + 1];
-        return int(std::lower_bound(start, end, column) - column_.begin());
+        start.assign(1, int(column_.size()));
+        for (label r = 0; r < nCells_; r++)
+        {
+            for (const int c : columns[r])
+            {
+                if ((c < r) == lower)
+                {
+                    column_.push_back(c);
+                }
+            }
+            start.push_back(int(column_.size()));
+        }
+    };
+    number(lower_, true);
+    number(diagonal_, false);
+
+    auto place = [&](const int row, const int c)
+    {
+        const std::vector<int>& start = c < row ? lower_ : diagonal_;
+        const auto begin = column_.begin() + start[row];
+        const auto end = column_.begin() + start[row + 1];
+        return int(std::lower_bound(begin, end, c) - column_.begin());
     };
 
     ownerBlock_.resize(mesh.nInternal());
@@ -316,7 +323,7 @@ void Foam::NewtonKrylov::add
     const double (&M)[nVar][nVar]
 )
 {
-    double* B = &block_[place*nVar*nVar];
+    float* B = &block_[place*nVar*nVar];
     const double* rows = &equationScale_[r*nVar];
     const double* columns = &unknownScale_[c*nVar];
     for (int i = 0; i < nVar; i++)
@@ -486,7 +493,7 @@ void Foam::NewtonKrylov::assemble(const scalar Co)
     const scalar least = 1.0/200;
     for (label r = 0; r < nCells_; r++)
     {
-        double* B = &block_[diagonal_[r]*nVar*nVar];
+        float* B = &block_[diagonal_[r]*nVar*nVar];
         const double inertia = max(ownStep_[r]/Co, least);
         for (int k = 0; k < nVar; k++)
         {
@@ -507,25 +514,30 @@ void Foam::NewtonKrylov::factorise()
 
     for (label r = 0; r < nCells_; r++)
     {
-        for (int i = rowStart_[r]; i < diagonal_[r]; i++)
+        // The next block of the row
+        const auto next = [&](const int j)
+        {
+            return j + 1 == lower_[r + 1] ? diagonal_[r] : j + 1;
+        };
+        for (int i = lower_[r]; i < lower_[r + 1]; i++)
         {
             // L = A_ik D_k^-1; the diagonal of a finished row is inverse
             const int k = column_[i];
-            double* A = &block_[i*nn];
+            float* A = &block_[i*nn];
             multiplyBlocks<nVar>(A, &block_[diagonal_[k]*nn], L);
             std::copy(L, L + nn, A);
 
-            int j = i + 1;
-            for (int u = diagonal_[k] + 1; u < rowStart_[k + 1]; u++)
+            int j = next(i);
+            for (int u = diagonal_[k] + 1; u < diagonal_[k + 1]; u++)
             {
-                while (j < rowStart_[r + 1] && column_[j] < column_[u])
+                while (j < diagonal_[r + 1] && column_[j] < column_[u])
                 {
-                    j++;
+                    j = next(j);
                 }
-                if (j < rowStart_[r + 1] && column_[j] == column_[u])
+                if (j < diagonal_[r + 1] && column_[j] == column_[u])
                 {
                     multiplyBlocks<nVar>(L, &block_[u*nn], product);
-                    double* target = &block_[j*nn];
+                    float* target = &block_[j*nn];
                     for (int m = 0; m < nn; m++)
                     {
                         target[m] -= product[m];
@@ -551,7 +563,7 @@ void Foam::NewtonKrylov::precondition
     for (label r = 0; r < nCells_; r++)
     {
         std::copy_n(&b[r*nVar], nVar, y);
-        for (int i = rowStart_[r]; i < diagonal_[r]; i++)
+        for (int i = lower_[r]; i < lower_[r + 1]; i++)
         {
             subtractProduct<nVar>(&block_[i*nn], &x[column_[i]*nVar], y);
         }
@@ -561,12 +573,12 @@ void Foam::NewtonKrylov::precondition
     {
         double* xr = &x[r*nVar];
         std::copy_n(xr, nVar, y);
-        for (int i = diagonal_[r] + 1; i < rowStart_[r + 1]; i++)
+        for (int i = diagonal_[r] + 1; i < diagonal_[r + 1]; i++)
         {
             subtractProduct<nVar>(&block_[i*nn], &x[column_[i]*nVar], y);
         }
         std::fill_n(xr, nVar, 0);
-        const double* D = &block_[diagonal_[r]*nn];
+        const float* D = &block_[diagonal_[r]*nn];
         for (int i = 0; i < nVar; i++)
         {
             for (int j = 0; j < nVar; j++)
