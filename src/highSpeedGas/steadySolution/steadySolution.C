@@ -151,7 +151,9 @@ bool Foam::steadySolution::converge(NewtonKrylov& newton)
     label nUnsolved = 0;
     scalar best = GREAT;
     label bestProducts = newton.nProducts();
-    scalar Co = firstCo;
+
+    // Near the steady state short steps would lead away from it first
+    scalar Co = max(firstCo, min(scalar(1000), 1e-3/imbalance_.mean));
     label nAlike = 0;
 
     equations_.calm();
