@@ -152,6 +152,12 @@ void Foam::gasEquations::setSchemes(const bool steady)
         << (geometry_.inSection() ? ", axisymmetric without swirl" : "")
         << ", " << returnReduce(geometry_.nCells(), sumOp<label>())
         << " cells" << endl;
+    if (steady && limiter.find("vanLeer") != std::string::npos)
+    {
+        Info<< "Gas: with limiter vanLeer the way to a steady state takes"
+            << " longer than with vanAlbada, the default of mode steady"
+            << endl;
+    }
 }
 
 

@@ -67,12 +67,14 @@ def separated(case):
 
 prepare("ramp")
 status, text = run("ramp", "rhoCentralParcelFoam")
+verdict("limiter_advised", "with limiter vanLeer the way to a steady" in text,
+        "mode steady does not advise against vanLeer")
 must("ramp", "postProcess", "-func", "writeCellCentres", "-latestTime")
 steady = re.search(r"steady after (\d+)", text)
 ends = separated("ramp")
 verdict("ramp_steady", steady and ends[1] - ends[0] > 0.1*CORNER,
-        f"steady after {steady.group(1) if steady else '-'} iterations, flow back"
-        f" from {1e3*ends[0]:.2f} to {1e3*ends[1]:.2f} mm")
+        f"steady after {steady.group(1) if steady else '-'} iterations, flow"
+        f" back from {1e3*ends[0]:.2f} to {1e3*ends[1]:.2f} mm")
 
 # In steps of its own: 1/uniform has that of the steady march
 shutil.copytree("ramp", "onward")

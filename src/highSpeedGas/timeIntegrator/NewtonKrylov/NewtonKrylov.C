@@ -299,8 +299,11 @@ Foam::scalar Foam::NewtonKrylov::step(const scalar Co, const int maxVectors)
     const bool found = solve(Co, 0.1, maxVectors, change);
     scalar share = limit(change);
 
-    // The way to the steady state may lead uphill, but not far
-    const scalar uphill = 2;
+    // The way to the steady state may lead uphill, but not far; next to it a
+    // shock that finds its place in a cell stirs up as much as this, but
+    // eddies that follow each step would not come to rest
+    const scalar allowed =
+        gas_.turbulent() ? 2*before : max(2*before, scalar(1e-5));
     bool accepted = false;
     scalar part = 1;
     for (int attempt = 0; found && attempt < 3 && !accepted; attempt++)
@@ -309,7 +312,7 @@ Foam::scalar Foam::NewtonKrylov::step(const scalar Co, const int maxVectors)
         {
             residual(work_);
             norm_ = std::sqrt(dot(work_, work_)/nAll);
-            accepted = norm_ < uphill*before;
+            accepted = norm_ < allowed;
         }
         part *= accepted ? 1 : 0.5;
     }
