@@ -18,7 +18,8 @@ constexpr int piece = 2048;
 
 
 //- Eight sums side by side: a single one would wait for itself
-VECTOR_KERNEL double product(const float* b, const double* w, const int n)
+template<class Type>
+VECTOR_INLINE double sumOfProducts(const Type* b, const double* w, const int n)
 {
     constexpr int lanes = 8;
     double sums[lanes] = {};
@@ -40,6 +41,18 @@ VECTOR_KERNEL double product(const float* b, const double* w, const int n)
         sum += sums[j];
     }
     return sum;
+}
+
+
+VECTOR_KERNEL double product(const float* b, const double* w, const int n)
+{
+    return sumOfProducts(b, w, n);
+}
+
+
+VECTOR_KERNEL double product(const double* b, const double* w, const int n)
+{
+    return sumOfProducts(b, w, n);
 }
 
 
@@ -71,6 +84,16 @@ void pieces(const std::vector<double>& w, const Visitor& visit)
 
 } // End anonymous namespace
 } // End namespace Foam
+
+
+double Foam::krylovBasis::dot
+(
+    const std::vector<double>& a,
+    const std::vector<double>& b
+)
+{
+    return product(a.data(), b.data(), int(a.size()));
+}
 
 
 void Foam::krylovBasis::set
@@ -143,11 +166,7 @@ void Foam::krylovBasis::remove
             taken += part[i]*part[i];
             h[i] += part[i];
         }
-        double left = 0;
-        for (const double x : w)
-        {
-            left += x*x;
-        }
+        double left = dot(w, w);
         sum(&left, 1);
         h[n] = std::sqrt(left);
         if (left > 0.1*taken)

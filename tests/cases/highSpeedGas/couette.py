@@ -23,6 +23,7 @@ mu = 1.458e-6*(TW + u*(V - u)/(2*K))**1.5/(TW + u*(V - u)/(2*K) + 110.4)
 y = np.concatenate([[0], np.cumsum(0.5*(mu[1:] + mu[:-1])*np.diff(u))])
 y /= y[-1]
 
+
 def prepare(case, n, length=1e-4, lean=0):
     """n cells between the plates, whose lines lean by so many heights."""
     write_case(case, {"endTime": 1, "deltaT": 1, "writeInterval": 1},

@@ -4,7 +4,6 @@
 
 #include "NewtonKrylov.H"
 #include <algorithm>
-#include <numeric>
 
 Foam::NewtonKrylov::NewtonKrylov(gasEquations& gas)
 :
@@ -52,23 +51,7 @@ Foam::scalar Foam::NewtonKrylov::dot
     const std::vector<double>& b
 ) const
 {
-    // A single sum would wait for itself at each addition
-    constexpr label n = 8;
-    double part[n] = {};
-    const label end = nUnknowns_ - nUnknowns_%n;
-    for (label i = 0; i < end; i += n)
-    {
-        for (label k = 0; k < n; k++)
-        {
-            part[k] += a[i + k]*b[i + k];
-        }
-    }
-    for (label i = end; i < nUnknowns_; i++)
-    {
-        part[0] += a[i]*b[i];
-    }
-    const scalar sum = std::accumulate(part, part + n, 0.0);
-    return returnReduce(sum, sumOp<scalar>());
+    return returnReduce(krylovBasis::dot(a, b), sumOp<scalar>());
 }
 
 
