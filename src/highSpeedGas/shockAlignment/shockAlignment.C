@@ -98,7 +98,9 @@ Foam::shockAlignment::shockAlignment(fvMesh& mesh, const dictionary& dict)
         lines_[linei] = pointField(mesh.points(), layers_.lines()[linei]);
     }
     Info<< "Layers: " << layers_.size() << " on each of "
-        << layers_.bodyFaces().size() << " faces of the body" << endl;
+        << layers_.bodyFaces().size() << " faces of the body, to rest where"
+        << " the shock moves by less than " << 100*tolerance_
+        << " % of its distance" << endl;
 }
 
 
