@@ -125,6 +125,10 @@ TEST(specificHeat, temperatureBelongsToEnthalpy)
         700*2 + 0.15*(2328.*2328 - 2326.*2326) + 1.07e6
     );
     EXPECT_DOUBLE_EQ(melting.liquidShare(2327), 0.5);
+
+    // Trial steps of a stiff integration may take more than there is
+    EXPECT_EQ(specificHeat({800}, {}).T(-1e5), 0);
+    EXPECT_EQ(polynomial.T(-1e5), 0);
 }
 
 
