@@ -348,7 +348,7 @@ Foam::CrossSectionInjection<CloudType>::parcel
 ) const
 {
     const auto& size = stream_.sizes()[stream_.sizeOf(k)];
-    return newParcel{p, size.d, size.weight, k, -1};
+    return newParcel{p, size.d, size.weight, k, -1, Zero};
 }
 
 
@@ -418,7 +418,12 @@ void Foam::CrossSectionInjection<CloudType>::select
         }
         if (enters && behindFront(p, t))
         {
-            parcels.append(parcel(p + (t0 - t)*this->U0(), nBox_ + next_));
+            const vector way((t0 - t)*this->U0());
+            parcels.append(parcel(p + way, nBox_ + next_));
+            if (t0 - t <= this->owner().db().time().deltaTValue())
+            {
+                parcels.last().flown = way;
+            }
         }
     }
 }

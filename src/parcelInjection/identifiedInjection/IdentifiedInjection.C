@@ -56,14 +56,15 @@ void Foam::IdentifiedInjection<CloudType>::locate
 
     // A point on a face between two ranks is claimed by both or by none.
     // Both: the higher rank takes it. None: it is moved a rounding error
-    // towards the nearest cell centre and asked again.
-    for (label attempt = 0; attempt < 2; ++attempt)
+    // towards the nearest cell centre and asked again. If it has just entered
+    // and flown through a wall it starts anew where it entered.
+    for (label attempt = 0; attempt < 3; ++attempt)
     {
         labelList owner(parcels.size(), -1);
         forAll(parcels, i)
         {
             newParcel& parcel = parcels[i];
-            if (attempt == 1 && parcel.cell != -2)
+            if (attempt > 0 && parcel.cell != -2)
             {
                 owner[i] = parcel.cell >= 0 ? Pstream::myProcNo() : -1;
                 continue;
@@ -71,7 +72,15 @@ void Foam::IdentifiedInjection<CloudType>::locate
 
             point p = parcel.position;
             parcel.cell = -1;
-            if (attempt == 1 && mesh.nCells())
+            if (attempt == 2)
+            {
+                if (parcel.flown == vector::zero)
+                {
+                    continue;
+                }
+                p -= parcel.flown;
+            }
+            if (attempt > 0 && mesh.nCells())
             {
                 const label nearest = mesh.findNearestCell(p);
                 p += 1e-9*(mesh.cellCentres()[nearest] - p);
@@ -92,7 +101,7 @@ void Foam::IdentifiedInjection<CloudType>::locate
         {
             if (owner[i] == -1)
             {
-                parcels[i].cell = attempt == 0 ? -2 : -1;
+                parcels[i].cell = attempt < 2 ? -2 : -1;
                 complete = false;
             }
             else if (owner[i] != Pstream::myProcNo())

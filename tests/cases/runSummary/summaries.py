@@ -157,6 +157,26 @@ verdict("lost_are_told", balanced(p) and p["lost"] == plate
         and any(what.startswith(f"Cloud away: {plate} parcels are gone")
                 for _, what in warnings), f"{p}, {warnings}")
 
+# In steps in which a stream at an angle flies from its patch through the wall
+# beside it, all that enters is there
+coarse = prepare("coarse", 4e-4, {"ours": CLOUDS["ours"]})
+edit(coarse, "system/controlDict", "deltaT 2e-6", "deltaT 2e-5")
+log = solve(coarse)
+p = summary_of(log)[1]["ours"]
+enter = float(re.search(r"beam: (\S+) parcels/s enter", log)[1])*(4e-4 - 2e-5)
+verdict("all_that_enters", balanced(p) and p["lost"] == 0
+        and abs(p["injected"] - enter) <= 1 + 1e-5*enter
+        and p["stuck"] > 300, f"{p}, {enter:.2f} by the rate")
+
+# A cloud that is switched off is none of the run's business
+off = prepare("off", 1e-5, {"ours": CLOUDS["ours"],
+                            "stock": CLOUDS["stock"]})
+for cloud in "ours", "stock":
+    edit(off, f"constant/{cloud}Properties", "active yes", "active no")
+particles_off = summary_of(solve(off))[1]
+verdict("switched_off", all(set(particles_off[c].values()) == {0}
+                            for c in ("ours", "stock")), f"{particles_off}")
+
 # A restart tells of its own part, and both together of the whole run, also
 # where the last step is not written
 first = prepare("restarted", 1.5e-4)
