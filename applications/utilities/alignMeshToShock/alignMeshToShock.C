@@ -96,7 +96,9 @@ int main(int argc, char* argv[])
             << " moved mesh and the fields along" << exit(FatalError);
     }
     foamCompat::printRelease();
+    completeWrite::setAsideUnfinished(args);
     #include "createTime.H"
+    completeWrite::checkStart(runTime);
 
     // Digits of the log, whatever those of the files are
     Sout.precision(6);

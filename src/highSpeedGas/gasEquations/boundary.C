@@ -5,6 +5,7 @@
 #include "gasEquations.H"
 #include "basicSymmetryFvPatchFields.H"
 #include "surfaceInterpolate.H"
+#include "wallFvPatch.H"
 #include <algorithm>
 
 // * * * * * * * * * * * * * * * Set-up  * * * * * * * * * * * * * * * * * * //
@@ -78,14 +79,17 @@ void Foam::gasEquations::setPatches()
     checkCoupledConditions();
 
     boundaryNeedsProperties_ = false;
+    open_ = false;
     bool needsStress = false;
     boolList excluded(mesh_.boundary().size(), false);
     frictionless_.setSize(mesh_.boundary().size(), false);
+    wall_.setSize(mesh_.boundary().size(), false);
     ofFlux_.setSize(mesh_.boundary().size(), false);
 
     for (const gasMesh::patchRange& patch : geometry_.patches())
     {
         const label patchi = patch.patchi;
+        const fvPatch& fvp = mesh_.boundary()[patchi];
         const fvPatchVectorField& Up = U_.boundaryField()[patchi];
         const fvPatchScalarField& pressure =
             thermo_.p().boundaryField()[patchi];
@@ -120,8 +124,12 @@ void Foam::gasEquations::setPatches()
          && Up.type() == "zeroGradient" && pressure.type() == "zeroGradient"
          && thermo_.T().boundaryField()[patchi].type() == "zeroGradient"
         );
+        open_ = open_ || !(patch.coupled || patch.image() || wall);
         excluded[patchi] = slip || (wall && !viscous_ && !patch.image());
         frictionless_[patchi] = slip;
+        wall_[patchi] =
+            isA<wallFvPatch>(fvp)
+         || (constant.found(Up.type()) && Up.type() != "fixedValue");
 
         for
         (
@@ -140,6 +148,7 @@ void Foam::gasEquations::setPatches()
     }
     reduce(boundaryNeedsProperties_, orOp<bool>());
     reduce(needsStress, orOp<bool>());
+    reduce(open_, orOp<bool>());
 
     if (needsStress)
     {
@@ -189,10 +198,18 @@ bool Foam::gasEquations::sticks() const
         {
             continue;
         }
+
+        // A stream may run along an outer boundary: on a patch that is no
+        // wall gas sticks only where it is at rest
         for (label i = 0; i < patch.size && !any; i++)
         {
             double un;
-            any = impermeable(k, patch.start + i, un);
+            any =
+                impermeable(k, patch.start + i, un)
+             && (
+                    wall_[patch.patchi]
+                 || mag(U_.boundaryField()[patch.patchi][i]) < SMALL
+                );
         }
     }
     return returnReduce(any, orOp<bool>());

@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "gasEquations.H"
+#include "checked.H"
 #include "completeWrite.H"
 #include <algorithm>
 #include <array>
@@ -18,6 +19,52 @@ static wordList listOf(const std::vector<std::string>& names)
         list[i] = names[i];
     }
     return list;
+}
+
+
+//- Refuse entries that are nearly those read here, which stock files may
+//  hold beside many others
+static void refuseMisspelt(const dictionary& schemes)
+{
+    const auto differs = [](const word& a, const word& b)
+    {
+        return a != b && spellingDistance(a, b) <= 2;
+    };
+    const auto refuse = []
+    (
+        const dictionary& d, const word& key, const word& meant
+    )
+    {
+        FatalIOErrorInFunction(d)
+            << "Unknown entry " << key << nl
+            << "Did you mean " << meant << '?' << exit(FatalIOError);
+    };
+    for (const word& key : schemes.toc())
+    {
+        if (differs(key, "fluxScheme"))
+        {
+            refuse(schemes, key, "fluxScheme");
+        }
+    }
+    const dictionary& d = schemes.subDict("interpolationSchemes");
+    for (const word& key : d.toc())
+    {
+        const auto bracket = key.find('(');
+        const word stem(key.substr(0, bracket));
+        const string of(bracket == word::npos ? "" : key.substr(bracket));
+        for (const char* valid : {"", "(p)", "(rho)", "(T)", "(U)"})
+        {
+            const word meant("reconstruct" + string(valid));
+            if
+            (
+                spellingDistance(of, valid) == 0 && key != meant
+             && (stem == "reconstruct" || differs(stem, "reconstruct"))
+            )
+            {
+                refuse(d, key, meant);
+            }
+        }
+    }
 }
 
 
@@ -80,6 +127,7 @@ static word readLimiter
 void Foam::gasEquations::setSchemes(const bool steady)
 {
     const dictionary& schemes = mesh_.schemesDict();
+    refuseMisspelt(schemes);
     const word fluxName(schemes.getOrDefault<word>("fluxScheme", "HLLC"));
     const int nDim = geometry_.nDim();
 
@@ -547,17 +595,28 @@ void Foam::gasEquations::reportInvalidCells()
 
     reportInletShocks(false);
 
-    // Marked as incomplete: to look at, not to restart from
-    publish();
-    completeWrite::begin(mesh_.time());
-    const_cast<Time&>(mesh_.time()).writeNow();
+    // Marked as incomplete: to look at, not to restart from. What a run
+    // started from stays as it is
+    const Time& time = mesh_.time();
+    const bool written = time.value() != time.startTime().value();
+    if (written)
+    {
+        publish();
+        completeWrite::begin(time);
+        const_cast<Time&>(time).writeNow();
+    }
 
     // The first rank that stops ends the others, whatever they are writing
     returnReduce(true, andOp<bool>());
     FatalErrorInFunction
-        << "The gas solution broke down at time " << mesh_.time().timeName()
-        << "; the last good fields are written there. A smaller maxCo, a"
-        << " finer mesh or a more robust limiter (Minmod, upwind) may help"
+        << "The gas solution broke down at time " << time.timeName()
+        << (
+               written
+             ? "; the last good fields are written there."
+             : ", whose files stay as they were."
+           )
+        << " A smaller maxCo, a finer mesh or a more robust limiter (Minmod,"
+        << " upwind) may help"
         << (source_.empty() ? "." : ", or a smaller relaxation in feedback.")
         << exit(FatalError);
 }

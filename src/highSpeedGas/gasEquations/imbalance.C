@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "gasEquations.H"
+#include "cyclicAMIFvPatch.H"
 
 const Foam::FixedList<Foam::word, 3> Foam::gasImbalance::names
 ({
@@ -81,7 +82,8 @@ Foam::gasImbalance Foam::gasEquations::imbalance(const scalar bound) const
     b.nAbove = 0;
 
     // Net inflow, inflow and the least that counts, of mass and total enthalpy
-    FixedList<scalar, 6> flows(Zero);
+    // and what is lost between non-conformal patches
+    FixedList<scalar, 7> flows(Zero);
     scalar squares = 0;
 
     for (label c = 0; c < nCells; c++)
@@ -115,6 +117,10 @@ Foam::gasImbalance Foam::gasEquations::imbalance(const scalar bound) const
     {
         if (patch.coupled)
         {
+            if (isA<cyclicAMIFvPatch>(mesh_.boundary()[patch.patchi]))
+            {
+                flows[6] += sum(phi_.boundaryField()[patch.patchi]);
+            }
             continue;
         }
         for (label f = patch.start; f < patch.start + patch.size; f++)
@@ -158,10 +164,12 @@ Foam::gasImbalance Foam::gasEquations::imbalance(const scalar bound) const
     );
     b.massBalance = flows[0]/max(max(flows[2], flows[4]), VSMALL);
     b.enthalpyBalance = flows[1]/max(max(flows[3], flows[5]), VSMALL);
+    b.lostMass = flows[6]/max(max(flows[2], flows[4]), VSMALL);
     if (flows[4] == 0)
     {
         b.massBalance = 0;
         b.enthalpyBalance = 0;
+        b.lostMass = 0;
     }
 
     for (label k = 0; k < 3; k++)

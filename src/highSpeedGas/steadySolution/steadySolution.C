@@ -241,6 +241,14 @@ bool Foam::steadySolution::converge(NewtonKrylov& newton)
 
 bool Foam::steadySolution::solve(const bool near)
 {
+    if (!equations_.open())
+    {
+        FatalErrorInFunction
+            << "No boundary condition lets gas in or out: how much of it there"
+            << " is no steady equation says." << nl
+            << "March to the steady state in time ('mode transient;')"
+            << exit(FatalError);
+    }
     Info<< "Gas: looking for the steady state" << endl;
 
     // Flat shocks would be felt where they meet a layer of friction: it would
@@ -315,6 +323,14 @@ bool Foam::steadySolution::solve(const bool near)
     Info<< "Gas: balance of mass " << imbalance_.massBalance
         << ", of total enthalpy " << imbalance_.enthalpyBalance
         << " of what flows in" << endl;
+    if (mag(imbalance_.lostMass) > 1e-4)
+    {
+        WarningInFunction
+            << 100*mag(imbalance_.lostMass) << " % of the mass that flows in is "
+            << (imbalance_.lostMass > 0 ? "lost" : "gained")
+            << " between the sides of non-conformal patches (cyclicAMI), which"
+            << " hand over values, not fluxes" << endl;
+    }
     if (steady())
     {
         Info<< "Gas: steady after " << iterations_

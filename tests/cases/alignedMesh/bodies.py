@@ -170,6 +170,22 @@ for layers, share in (40, lambda h: 40*h), (160, lambda h: 1/16):
     h = 1/layers/(0.6/1.15 + 0.4/(0.06*math.gamma(1.25)))
     verdict(f"tolerance{layers}", abs(said/(100*share(h)*h) - 1) < 0.02,
             f"{said:.5f} %, {100*share(h)*h:.5f} % by the cell at the shock")
+
+
+def files_of_start(case):
+    """What stands in folder 0 and in that of the mesh."""
+    return {os.path.join(folder, name): open(os.path.join(folder, name),
+                                                "rb").read()
+            for start in (f"{case}/0", f"{case}/constant/polyMesh")
+            for folder, _, names in os.walk(start) for name in names}
+
+
+# Gas that breaks down leaves the fields and the mesh of the start
+prepare("broken", "half", (30, 40), 2, 1.3)
+before = files_of_start("broken")
+status, text = run("broken", "alignMeshToShock")
+verdict("broken", status and "whose files stay as they were" in text
+        and files_of_start("broken") == before, complaint(text))
 refused("parcels", "There are parcels at time 0", edits=parcels)
 decompose("parcels")
 status, text = run("parcels", "mpirun", "--oversubscribe", "-np", "2",

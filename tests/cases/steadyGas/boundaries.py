@@ -1,0 +1,84 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
+"""What boundaries decide in mode steady: a stream along an outer boundary is no
+layer of friction, gas that is shut in is refused; stands in a folder of its
+own."""
+
+import numpy as np
+from caseTools import (GAMMA, R_GAS, box, complaint, last_fields, must,
+                       read_points, run, solve, verdict, write_block,
+                       write_case, write_field, write_points)
+
+MACH, P, T = 8, 1e5, 300.0
+CORNER, LENGTH, HEIGHT, ANGLE = 0.2, 1.0, 1.2, np.radians(28)
+U = MACH*np.sqrt(GAMMA*R_GAS*T)
+
+
+def ramp(case, top):
+    """Slip along a ramp, with viscosity; a condition on U at the top."""
+    write_case(case, {"endTime": 1, "deltaT": 1, "writeInterval": 1,
+                      "writeFormat": "ascii"},
+               {"mode": "steady", "viscous": "yes"})
+    write_block(case, box((LENGTH, HEIGHT, 0.1)), (60, 60, 1),
+                {"xMin": "patch", "xMax": "patch", "yMin": "wall",
+                 "yMax": "patch"})
+    for name, value in ("p", P), ("T", T), ("U", (U, 0, 0)):
+        text = f"({U!r} 0 0)" if name == "U" else repr(value)
+        inflow = f"type fixedValue; value uniform {text};"
+        write_field(case, name, value, {
+            "xMin": inflow, "xMax": "type zeroGradient;",
+            "yMin": "type slip;" if name == "U" else "type zeroGradient;",
+            "yMax": inflow if top == "fixedValue" else "type zeroGradient;",
+            "zMin": "type empty;", "zMax": "type empty;"})
+    must(case, "blockMesh")
+    points = read_points(case)
+    rise = np.maximum(points[:, 0] - CORNER, 0)*np.tan(ANGLE)
+    points[:, 1] += rise*(1 - points[:, 1]/HEIGHT)
+    write_points(case, points)
+
+
+def behind_shock():
+    """Angle of the oblique shock, pressure and temperature behind it over
+    those before, by theory."""
+    beta = ANGLE
+    for _ in range(200):    # of the two the weaker one: from below
+        n = (MACH*np.sin(beta))**2
+        turn = np.arctan(2/np.tan(beta)*(n - 1)
+                         / (MACH**2*(GAMMA + np.cos(2*beta)) + 2))
+        beta += 0.5*(ANGLE - turn)
+    p = 1 + 2*GAMMA/(GAMMA + 1)*(n - 1)
+    return beta, p, p*(2 + (GAMMA - 1)*n)/((GAMMA + 1)*n)
+
+
+beta, *exact = behind_shock()
+for top in "zeroGradient", "fixedValue":
+    case = f"along_{top}"
+    ramp(case, top)
+    text = solve(case)
+    must(case, "postProcess", "-func", "writeCellCentres", "-latestTime")
+    C, p, t = last_fields(case, "C p T")
+    x = C[:, 0] - CORNER
+    y = C[:, 1] - x*np.tan(ANGLE)
+    inside = (x > 0.4) & (x < 0.75) \
+        & (y < x*(np.tan(beta) - np.tan(ANGLE)) - 0.05)
+    e = [np.sqrt(np.mean((f[inside]/f0/e - 1)**2))
+         for f, f0, e in zip((p, t), (P, T), exact)]
+    verdict(case, "Gas: steady" in text and inside.sum() > 50 and max(e) < 0.01,
+            f"{inside.sum()} cells behind the shock differ from theory by"
+            f" {100*e[0]:.2f} % in p and {100*e[1]:.2f} % in T, bound 1 %")
+
+case = "shut"
+write_case(case, {"endTime": 1, "deltaT": 1, "writeInterval": 1},
+           {"mode": "steady", "viscous": "yes"})
+write_block(case, box((0.01, 0.01, 0.01)), (4, 4, 1),
+            {"xMin": "cyclic", "xMax": "cyclic", "yMin": "wall",
+             "yMax": "wall"})
+for name, value in ("p", P), ("T", T), ("U", (0, 0, 0)):
+    wall = {"p": "type zeroGradient;", "U": "type noSlip;",
+            "T": "type fixedValue; value uniform 400;"}[name]
+    write_field(case, name, value, {
+        "xMin": "type cyclic;", "xMax": "type cyclic;", "yMin": wall,
+        "yMax": wall, "zMin": "type empty;", "zMax": "type empty;"})
+must(case, "blockMesh")
+status, text = run(case, "rhoCentralParcelFoam")
+verdict("refused_shut", status and "lets gas in or out" in text
+        and "mode transient" in text, complaint(text))
