@@ -144,6 +144,7 @@ int main(int argc, char* argv[])
     {
         objects.set(n++, &mesh.thisDb().lookupObject<regIOobject>(name));
     }
+    completeWrite::changed(runTime);
     withReason([&] { write(objects); });
     Info<< "Fields p, T, U of time " << runTime.timeName() << " written" << nl
         << "Points written to "

@@ -238,6 +238,12 @@ void Foam::completeWrite::begin(const Time& runTime)
 }
 
 
+void Foam::completeWrite::changed(const Time& runTime)
+{
+    rm(markFolder(runTime, runTime.timeName())/"complete");
+}
+
+
 void Foam::completeWrite::end(const Time& runTime)
 {
     const fileName top(runTime.path()/runTime.timeName());

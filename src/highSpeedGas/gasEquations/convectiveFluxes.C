@@ -22,6 +22,7 @@ inline bool outOfReach(const std::vector<double>& gradient)
 //  flow within the distance delta between two cells, in parts of itself: 0 up
 //  to least, 1 from least + 0.1 on. Smooth, so that a steady state can come to
 //  rest.
+//  \param slow  square of a speed [m^2/s^2] of gas that is nearly at rest
 template<int nDim>
 inline double shareInShock
 (
@@ -30,7 +31,8 @@ inline double shareInShock
     const double* gradientOwner,
     const double* gradientFar,
     const double* delta,
-    const double least
+    const double least,
+    const double slow
 )
 {
     double gg[2] = {0, 0};
@@ -57,8 +59,9 @@ inline double shareInShock
         if (ug[side] > 0 && gg[side]*dd > sqr(least*low))
         {
             const double jump = std::sqrt(gg[side]*dd)/low;
+            // Gas at rest but for round-off has no direction
             const double along =
-                ug[side]/std::sqrt(uu[side]*gg[side] + VSMALL);
+                ug[side]/std::sqrt(max(uu[side], slow)*gg[side]);
             const double x =
                 min(10*(jump - least), 1.0)*min(10*along, 1.0);
             share = max(share, x*x*(3 - 2*x));
@@ -266,7 +269,7 @@ void Foam::gasEquations::readFaces
           ? shareInShock<nDim>
             (
                 qo, qr, g + o*(nVar*nDim), g + r*(nVar*nDim),
-                &geometry_.delta[f*nDim], leastRise
+                &geometry_.delta[f*nDim], leastRise, 1e-4*eos_.R*qo[1]
             )
           : 0;
         state.shocked = state.shocked || state.shock[i] > 0;

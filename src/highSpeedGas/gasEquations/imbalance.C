@@ -68,6 +68,18 @@ void Foam::gasEquations::scales
 }
 
 
+Foam::scalar Foam::gasEquations::mass() const
+{
+    scalar m = 0;
+    for (label c = 0; c < geometry_.nCells(); c++)
+    {
+        const double* q = &primitive[c*nVar_];
+        m += q[0]/(eos_.R*q[1])*geometry_.volume[c];
+    }
+    return returnReduce(m, sumOp<scalar>());
+}
+
+
 Foam::gasImbalance Foam::gasEquations::imbalance(const scalar bound) const
 {
     const int nDim = geometry_.nDim();

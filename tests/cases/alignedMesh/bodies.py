@@ -122,6 +122,16 @@ text = align(case)
 moves = int(re.search(r"after (\d+) moves", text)[1])
 verdict("again", moves <= 2, f"{moves} moves of an aligned mesh")
 
+# Also one that a run has written to its end: the solver goes on from it
+case = "late"
+prepare(case, "half", CELLS, 4, 6)
+solve(case)
+align(case)
+edit(case, "system/controlDict", "endTime 1;", "endTime 2;")
+text = solve(case)
+verdict(case, "Gas: steady" in text, (re.findall(r"Gas: steady.*", text)
+                                      or ["not steady"])[0])
+
 # The annotated dictionary is that of the defaults
 case = "annotated"
 prepare(case, "half", CELLS, 4, 6)

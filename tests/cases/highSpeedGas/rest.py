@@ -1,0 +1,31 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
+"""Gas at rest that is not in balance: round-off in its velocity stays round-off;
+stands in a folder of its own."""
+
+import numpy as np
+from caseTools import (box, last_fields, must, solve, verdict, write_block,
+                       write_case, write_field)
+
+N = 12
+rng = np.random.default_rng(3)
+p = 1e5*4**rng.random(N*N)
+noise = rng.standard_normal((N*N, 3))*(1, 1, 0)
+found = []
+for k, size in enumerate((0, 1e-13)):
+    case = f"rest{k}"
+    write_case(case, {"endTime": 3e-6, "deltaT": 1e-6, "writeInterval": 3e-6},
+               {"mode": "transient"})
+    write_block(case, box((0.01, 0.01, 0.001)), (N, N, 1),
+                {s + e: "wall" for s in "xy" for e in ("Min", "Max")})
+    for name, values, wall in (("p", p, "zeroGradient"),
+                               ("T", 300.0, "zeroGradient"),
+                               ("U", size*noise, "slip")):
+        write_field(case, name, values, {
+            "zMin": "type empty;", "zMax": "type empty;",
+            **{s + e: f"type {wall};" for s in "xy" for e in ("Min", "Max")}})
+    must(case, "blockMesh")
+    solve(case)
+    found += last_fields(case, "p")
+apart = abs(found[1]/found[0] - 1).max()
+verdict("gas_at_rest", apart < 1e-9 and abs(found[0]/p - 1).max() > 0.01,
+        f"velocities of 1e-13 m/s change p by {apart:.1e}, tolerance 1e-9")
