@@ -330,7 +330,8 @@ bool Foam::steadySolution::solve(const bool near)
     if (mag(imbalance_.lostMass) > 1e-4)
     {
         WarningInFunction
-            << 100*mag(imbalance_.lostMass) << " % of the mass that flows in is "
+            << 100*mag(imbalance_.lostMass)
+            << " % of the mass that flows in is "
             << (imbalance_.lostMass > 0 ? "lost" : "gained")
             << " between the sides of non-conformal patches (cyclicAMI), which"
             << " hand over values, not fluxes" << endl;
