@@ -8,6 +8,47 @@
 #include "wallFvPatch.H"
 #include <algorithm>
 
+namespace
+{
+
+using namespace Foam;
+
+// Boundary conditions that need nothing beyond p, T, U and phi
+const wordHashSet selfContained
+{
+    "fixedValue", "zeroGradient", "slip", "noSlip", "symmetry",
+    "symmetryPlane", "wedge", "empty", "calculated", "cyclic", "processor",
+    "processorCyclic", "cyclicAMI", "supersonicFreestream", "freestream",
+    "freestreamPressure", "freestreamVelocity", "inletOutlet",
+    "outletInlet", "uniformFixedValue", "fixedGradient"
+};
+
+// Conditions whose velocity is the same at all times: of others that are
+// at rest at the start a restart would know nothing
+const wordHashSet ofFixedVelocity
+{
+    "fixedValue", "noSlip", "movingWallVelocity",
+    "translatingWallVelocity", "rotatingWallVelocity", "maxwellSlipU"
+};
+
+// Conditions that make the velocity of the flux through their patch
+const wordHashSet ofFlux
+{
+    "pressureInletVelocity", "pressureInletUniformVelocity",
+    "pressureDirectedInletVelocity", "pressureDirectedInletOutletVelocity",
+    "pressureNormalInletOutletVelocity",
+    "pressureInletOutletParSlipVelocity", "fluxCorrectedVelocity"
+};
+
+// Conditions on the pressure that leave its value at a wall to the gas
+const wordHashSet leavesPressure
+{
+    "zeroGradient", "calculated", "fixedFluxPressure", "slip", "wedge",
+    "symmetry", "symmetryPlane"
+};
+
+} // End anonymous namespace
+
 // * * * * * * * * * * * * * * * Set-up  * * * * * * * * * * * * * * * * * * //
 
 void Foam::gasEquations::checkCoupledConditions() const
@@ -42,40 +83,6 @@ void Foam::gasEquations::checkCoupledConditions() const
 
 void Foam::gasEquations::setPatches()
 {
-    // Boundary conditions that need nothing beyond p, T, U and phi
-    static const wordHashSet selfContained
-    {
-        "fixedValue", "zeroGradient", "slip", "noSlip", "symmetry",
-        "symmetryPlane", "wedge", "empty", "calculated", "cyclic", "processor",
-        "processorCyclic", "cyclicAMI", "supersonicFreestream", "freestream",
-        "freestreamPressure", "freestreamVelocity", "inletOutlet",
-        "outletInlet", "uniformFixedValue", "fixedGradient"
-    };
-
-    // Conditions whose velocity is the same at all times: of others that are
-    // at rest at the start a restart would know nothing
-    static const wordHashSet constant
-    {
-        "fixedValue", "noSlip", "movingWallVelocity",
-        "translatingWallVelocity", "rotatingWallVelocity", "maxwellSlipU"
-    };
-
-    // Conditions that make the velocity of the flux through their patch
-    static const wordHashSet ofFlux
-    {
-        "pressureInletVelocity", "pressureInletUniformVelocity",
-        "pressureDirectedInletVelocity", "pressureDirectedInletOutletVelocity",
-        "pressureNormalInletOutletVelocity",
-        "pressureInletOutletParSlipVelocity", "fluxCorrectedVelocity"
-    };
-
-    // Conditions on the pressure that leave its value at a wall to the gas
-    static const wordHashSet leavesPressure
-    {
-        "zeroGradient", "calculated", "fixedFluxPressure", "slip", "wedge",
-        "symmetry", "symmetryPlane"
-    };
-
     checkCoupledConditions();
 
     boundaryNeedsProperties_ = false;
@@ -101,16 +108,16 @@ void Foam::gasEquations::setPatches()
 
         // Whether the condition on U never lets gas through
         // (processor patches differ from rank to rank: no sums over them)
-        bool wall = slip;
+        bool shut = slip;
         if (!patch.coupled)
         {
             const vectorField& Sf = mesh_.Sf().boundaryField()[patchi];
             const vectorField velocity(Up);
             const scalar through = gSumMag(scalarField(velocity & Sf));
             const scalar along = gSum(scalarField(mag(velocity)*mag(Sf)));
-            wall =
+            shut =
                 slip
-             || (constant.found(Up.type()) && through <= 1e-6*along);
+             || (ofFixedVelocity.found(Up.type()) && through <= 1e-6*along);
         }
 
         tight_.push_back(slip || patch.image());
@@ -124,12 +131,12 @@ void Foam::gasEquations::setPatches()
          && Up.type() == "zeroGradient" && pressure.type() == "zeroGradient"
          && thermo_.T().boundaryField()[patchi].type() == "zeroGradient"
         );
-        open_ = open_ || !(patch.coupled || patch.image() || wall);
-        excluded[patchi] = slip || (wall && !viscous_ && !patch.image());
+        open_ = open_ || !(patch.coupled || patch.image() || shut);
+        excluded[patchi] = slip || (shut && !viscous_ && !patch.image());
         frictionless_[patchi] = slip;
         wall_[patchi] =
             isA<wallFvPatch>(fvp)
-         || (constant.found(Up.type()) && Up.type() != "fixedValue");
+         || (ofFixedVelocity.found(Up.type()) && Up.type() != "fixedValue");
 
         for
         (

@@ -22,7 +22,7 @@ inline bool outOfReach(const std::vector<double>& gradient)
 //  flow within the distance delta between two cells, in parts of itself: 0 up
 //  to least, 1 from least + 0.1 on. Smooth, so that a steady state can come to
 //  rest.
-//  \param slow  square of a speed [m^2/s^2] of gas that is nearly at rest
+//  \param restSqr  square of a speed [m^2/s^2] of gas that is nearly at rest
 template<int nDim>
 inline double shareInShock
 (
@@ -32,7 +32,7 @@ inline double shareInShock
     const double* gradientFar,
     const double* delta,
     const double least,
-    const double slow
+    const double restSqr
 )
 {
     double gg[2] = {0, 0};
@@ -61,7 +61,7 @@ inline double shareInShock
             const double jump = std::sqrt(gg[side]*dd)/low;
             // Gas at rest but for round-off has no direction
             const double along =
-                ug[side]/std::sqrt(max(uu[side], slow)*gg[side]);
+                ug[side]/std::sqrt(max(uu[side], restSqr)*gg[side]);
             const double x =
                 min(10*(jump - least), 1.0)*min(10*along, 1.0);
             share = max(share, x*x*(3 - 2*x));

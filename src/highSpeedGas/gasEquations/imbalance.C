@@ -80,6 +80,64 @@ Foam::scalar Foam::gasEquations::mass() const
 }
 
 
+Foam::gasInflows Foam::gasEquations::inflows() const
+{
+    const int nDim = geometry_.nDim();
+    gasInflows flows;
+    for (const gasMesh::patchRange& patch : geometry_.patches())
+    {
+        if (patch.coupled)
+        {
+            if (isA<cyclicAMIFvPatch>(mesh_.boundary()[patch.patchi]))
+            {
+                flows.lostMass += sum(phi_.boundaryField()[patch.patchi]);
+            }
+            continue;
+        }
+        for (label f = patch.start; f < patch.start + patch.size; f++)
+        {
+            const scalar m =
+                phi_.boundaryField()[patch.patchi][f - patch.start];
+            const double* q = &primitive[geometry_.far[f]*nVar_];
+            scalar H =
+                eos_.thermallyPerfect()
+              ? eos_.enthalpy<true>(q[1])
+              : eos_.enthalpy<false>(q[1]);
+            for (int d = 0; d < nDim; d++)
+            {
+                H += 0.5*sqr(q[2 + d]);
+            }
+            const scalar inflow = max(-m, scalar(0));
+            flows.mass += inflow;
+            flows.enthalpy += inflow*H;
+
+            // What flows in at a thousandth of the speed of sound: where the
+            // gas is at rest, round-off is not out of balance with nothing
+            const scalar minInflow =
+                m == 0
+              ? 0
+              : 1e-3*q[0]/(eos_.R*q[1])*geometry_.area[f]
+               *soundSpeed_[geometry_.owner[f]];
+            flows.leastMass += minInflow;
+            flows.leastEnthalpy += minInflow*H;
+        }
+    }
+
+    for
+    (
+        scalar* flow :
+        {
+            &flows.mass, &flows.enthalpy, &flows.leastMass,
+            &flows.leastEnthalpy, &flows.lostMass
+        }
+    )
+    {
+        reduce(*flow, sumOp<scalar>());
+    }
+    return flows;
+}
+
+
 Foam::gasImbalance Foam::gasEquations::imbalance(const scalar bound) const
 {
     const int nDim = geometry_.nDim();
@@ -93,9 +151,8 @@ Foam::gasImbalance Foam::gasEquations::imbalance(const scalar bound) const
     b.cell = -1;
     b.nAbove = 0;
 
-    // Net inflow, inflow and the least that counts, of mass and total enthalpy
-    // and what is lost between non-conformal patches
-    FixedList<scalar, 7> flows(Zero);
+    scalar netMass = 0;
+    scalar netEnthalpy = 0;
     scalar squares = 0;
 
     for (label c = 0; c < nCells; c++)
@@ -121,67 +178,32 @@ Foam::gasImbalance Foam::gasEquations::imbalance(const scalar bound) const
             squares += sqr(value[k]);
         }
         b.nAbove += above;
-        flows[0] += R[0];
-        flows[1] += R[1];
+        netMass += R[0];
+        netEnthalpy += R[1];
     }
 
-    for (const gasMesh::patchRange& patch : geometry_.patches())
-    {
-        if (patch.coupled)
-        {
-            if (isA<cyclicAMIFvPatch>(mesh_.boundary()[patch.patchi]))
-            {
-                flows[6] += sum(phi_.boundaryField()[patch.patchi]);
-            }
-            continue;
-        }
-        for (label f = patch.start; f < patch.start + patch.size; f++)
-        {
-            const scalar m =
-                phi_.boundaryField()[patch.patchi][f - patch.start];
-            const double* q = &primitive[geometry_.far[f]*nVar_];
-            scalar H =
-                eos_.thermallyPerfect()
-              ? eos_.enthalpy<true>(q[1])
-              : eos_.enthalpy<false>(q[1]);
-            for (int d = 0; d < nDim; d++)
-            {
-                H += 0.5*sqr(q[2 + d]);
-            }
-            const scalar inflow = max(-m, scalar(0));
-            flows[2] += inflow;
-            flows[3] += inflow*H;
-
-            // What flows in at a thousandth of the speed of sound: where the
-            // gas is at rest, round-off is not out of balance with nothing
-            const scalar minInflow =
-                m == 0
-              ? 0
-              : 1e-3*q[0]/(eos_.R*q[1])*geometry_.area[f]
-               *soundSpeed_[geometry_.owner[f]];
-            flows[4] += minInflow;
-            flows[5] += minInflow*H;
-        }
-    }
-
-    for (scalar& flow : flows)
-    {
-        reduce(flow, sumOp<scalar>());
-    }
+    const gasInflows in = inflows();
+    reduce(netMass, sumOp<scalar>());
+    reduce(netEnthalpy, sumOp<scalar>());
     reduce(b.nAbove, sumOp<label>());
     reduce(squares, sumOp<scalar>());
     b.mean = std::sqrt
     (
         squares/(3*returnReduce(scalar(nCells), sumOp<scalar>()))
     );
-    b.massBalance = flows[0]/max(max(flows[2], flows[4]), VSMALL);
-    b.enthalpyBalance = flows[1]/max(max(flows[3], flows[5]), VSMALL);
-    b.lostMass = flows[6]/max(max(flows[2], flows[4]), VSMALL);
-    if (flows[4] == 0)
+    if (in.leastMass == 0)
     {
         b.massBalance = 0;
         b.enthalpyBalance = 0;
         b.lostMass = 0;
+    }
+    else
+    {
+        const scalar massIn = max(in.mass, in.leastMass);
+        b.massBalance = netMass/massIn;
+        b.enthalpyBalance =
+            netEnthalpy/max(in.enthalpy, max(in.leastEnthalpy, VSMALL));
+        b.lostMass = in.lostMass/massIn;
     }
 
     for (label k = 0; k < 3; k++)

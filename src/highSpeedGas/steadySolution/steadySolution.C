@@ -239,6 +239,65 @@ bool Foam::steadySolution::converge(NewtonKrylov& newton)
 }
 
 
+void Foam::steadySolution::reportEnd(const scalar gain) const
+{
+    Info<< "Gas: balance of mass " << imbalance_.massBalance
+        << ", of total enthalpy " << imbalance_.enthalpyBalance
+        << " of what flows in" << endl;
+    if (!equations_.open() && mag(gain) > 1e-4)
+    {
+        WarningInFunction
+            << "No boundary condition lets gas in or out, but on the way to"
+            << " the steady state its mass has changed by " << 100*gain
+            << " %, and with it the pressure: no steady equation says how much"
+            << " gas there is." << nl
+            << "    Where that matters march in time ('mode transient;')"
+            << endl;
+    }
+    if (mag(imbalance_.lostMass) > 1e-4)
+    {
+        WarningInFunction
+            << 100*mag(imbalance_.lostMass)
+            << " % of the mass that flows in is "
+            << (imbalance_.lostMass > 0 ? "lost" : "gained")
+            << " between the sides of non-conformal patches (cyclicAMI), which"
+            << " hand over values, not fluxes" << endl;
+    }
+    if (steady())
+    {
+        Info<< "Gas: steady after " << iterations_
+            << " iterations, imbalance of " << imbalance_ << endl;
+    }
+    else
+    {
+        const label k = imbalance_.worst();
+        WarningInFunction
+            << "The gas is not steady after " << iterations_
+            << " iterations: in " << imbalance_.nAbove
+            << " cells the imbalance is above " << settings_.residual
+            << ", most in the equation of " << gasImbalance::names[k]
+            << " of cell " << imbalance_.cell[k] << " at "
+            << imbalance_.place[k] << " (rank " << imbalance_.rank[k]
+            << "), " << imbalance_.largest[k] << "; the balance of mass is "
+            << imbalance_.massBalance << ", that of total enthalpy "
+            << imbalance_.enthalpyBalance << " of what flows in";
+        if (equations_.turbulent())
+        {
+            Info<< "; the eddy viscosity changes by " << eddyChange_
+                << " of the viscosity in an iteration";
+        }
+        if (equations_.nCutEddies() > 0)
+        {
+            Info<< "; the turbulence model gives " << equations_.nCutEddies()
+                << " cells an eddy viscosity beyond that of eddies as fast as"
+                << " sound and a tenth of the mesh in size: look at its values"
+                << " at the start and where the gas comes in";
+        }
+        Info<< endl;
+    }
+}
+
+
 bool Foam::steadySolution::solve(const bool near)
 {
     const scalar massBefore = equations_.mass();
@@ -313,60 +372,6 @@ bool Foam::steadySolution::solve(const bool near)
         integrateExplicitly();
     }
 
-    Info<< "Gas: balance of mass " << imbalance_.massBalance
-        << ", of total enthalpy " << imbalance_.enthalpyBalance
-        << " of what flows in" << endl;
-    const scalar gain = equations_.mass()/massBefore - 1;
-    if (!equations_.open() && mag(gain) > 1e-4)
-    {
-        WarningInFunction
-            << "No boundary condition lets gas in or out, but on the way to"
-            << " the steady state its mass has changed by " << 100*gain
-            << " %, and with it the pressure: no steady equation says how much"
-            << " gas there is." << nl
-            << "    Where that matters march in time ('mode transient;')"
-            << endl;
-    }
-    if (mag(imbalance_.lostMass) > 1e-4)
-    {
-        WarningInFunction
-            << 100*mag(imbalance_.lostMass)
-            << " % of the mass that flows in is "
-            << (imbalance_.lostMass > 0 ? "lost" : "gained")
-            << " between the sides of non-conformal patches (cyclicAMI), which"
-            << " hand over values, not fluxes" << endl;
-    }
-    if (steady())
-    {
-        Info<< "Gas: steady after " << iterations_
-            << " iterations, imbalance of " << imbalance_ << endl;
-    }
-    else
-    {
-        const label k = imbalance_.worst();
-        WarningInFunction
-            << "The gas is not steady after " << iterations_
-            << " iterations: in " << imbalance_.nAbove
-            << " cells the imbalance is above " << settings_.residual
-            << ", most in the equation of " << gasImbalance::names[k]
-            << " of cell " << imbalance_.cell[k] << " at "
-            << imbalance_.place[k] << " (rank " << imbalance_.rank[k]
-            << "), " << imbalance_.largest[k] << "; the balance of mass is "
-            << imbalance_.massBalance << ", that of total enthalpy "
-            << imbalance_.enthalpyBalance << " of what flows in";
-        if (equations_.turbulent())
-        {
-            Info<< "; the eddy viscosity changes by " << eddyChange_
-                << " of the viscosity in an iteration";
-        }
-        if (equations_.nCutEddies() > 0)
-        {
-            Info<< "; the turbulence model gives " << equations_.nCutEddies()
-                << " cells an eddy viscosity beyond that of eddies as fast as"
-                << " sound and a tenth of the mesh in size: look at its values"
-                << " at the start and where the gas comes in";
-        }
-        Info<< endl;
-    }
+    reportEnd(equations_.mass()/massBefore - 1);
     return steady();
 }

@@ -348,7 +348,7 @@ Foam::CrossSectionInjection<CloudType>::parcel
 ) const
 {
     const auto& size = stream_.sizes()[stream_.sizeOf(k)];
-    return newParcel{p, size.d, size.weight, k, -1, Zero};
+    return newParcel{p, size.d, size.weight, k, -1};
 }
 
 

@@ -146,7 +146,8 @@ for rows in (32, 32), (32, 20):
     write_case(case, {"endTime": 1, "deltaT": 1, "writeInterval": 1},
                {"mode": "steady"})
     hot = 300*(1 + 2*(np.arange(rows[0]) + 0.5)/rows[0])
-    inlet = f"nonuniform List<scalar> {rows[0]}(" + " ".join(map(str, hot)) + ")"
+    inlet = (f"nonuniform List<scalar> {rows[0]}("
+             + " ".join(map(str, hot)) + ")")
     sides = {"leftXMax": "type cyclicAMI;", "rightXMin": "type cyclicAMI;",
              "rightXMax": "type zeroGradient;",
              **{f"{n}Y{e}": "type cyclic;" for n in ("left", "right")
@@ -163,8 +164,8 @@ for rows in (32, 32), (32, 20):
             " writeFields no; log no; writeControl writeTime; }"
             for name in ("leftXMin", "rightXMax")) + "}\n")
     log = solve(case)
-    said = re.search(r"([-+.e\d]+) % of the mass that flows in is (lost|gained)",
-                     log)
+    said = re.search(
+        r"([-+.e\d]+) % of the mass that flows in is (lost|gained)", log)
     # Of the fluxes that the gas writes: leaving less entering, over entering
     phi = [np.loadtxt(f"{case}/postProcessing/{name}/0/surfaceFieldValue.dat",
                       ndmin=2)[-1, 1] for name in ("leftXMin", "rightXMax")]

@@ -1,6 +1,6 @@
 # parcelImpact. License: GPL-3.0-or-later, see COPYING.
-"""Gas at rest that is not in balance: round-off in its velocity stays round-off;
-stands in a folder of its own."""
+"""Gas at rest that is not in balance: round-off in its velocity stays so; stands
+in a folder of its own."""
 
 import numpy as np
 from caseTools import (box, last_fields, must, solve, verdict, write_block,
