@@ -23,6 +23,8 @@ inline bool outOfReach(const std::vector<double>& gradient)
 //  to least, 1 from least + 0.1 on. Smooth, so that a steady state can come to
 //  rest.
 //  \param restSqr  square of a speed [m^2/s^2] of gas that is nearly at rest
+//  \param flatFrom  rise of pressure from which on cells are taken to be uniform
+//  \param flat  share 0..1 in which they are: 1 from twice that rise on
 template<int nDim>
 inline double shareInShock
 (
@@ -32,7 +34,9 @@ inline double shareInShock
     const double* gradientFar,
     const double* delta,
     const double least,
-    const double restSqr
+    const double restSqr,
+    const double flatFrom,
+    double& flat
 )
 {
     double gg[2] = {0, 0};
@@ -53,6 +57,7 @@ inline double shareInShock
     }
 
     double share = 0;
+    flat = 0;
     for (int side = 0; side < 2; side++)
     {
         const double low = min(owner[0], far[0]);
@@ -65,6 +70,10 @@ inline double shareInShock
             const double x =
                 min(10*(jump - least), 1.0)*min(10*along, 1.0);
             share = max(share, x*x*(3 - 2*x));
+
+            const double y =
+                jump < 2*flatFrom ? max(jump/flatFrom - 1, 0.0) : 1.0;
+            flat = max(flat, y*y*(3 - 2*y));
         }
     }
     return share;
@@ -265,11 +274,12 @@ void Foam::gasEquations::readFaces
         }
         block.weight[i] = geometry_.evenWeight[f];
         state.shock[i] =
-            sensesShocks_ || flatShocks_
+            sensesShocks_ || flatFrom_ < GREAT
           ? shareInShock<nDim>
             (
                 qo, qr, g + o*(nVar*nDim), g + r*(nVar*nDim),
-                &geometry_.delta[f*nDim], leastRise, 1e-4*eos_.R*qo[1]
+                &geometry_.delta[f*nDim], leastRise, 1e-4*eos_.R*qo[1],
+                flatFrom_, state.flat[i]
             )
           : 0;
         state.shocked = state.shocked || state.shock[i] > 0;
@@ -304,9 +314,16 @@ void Foam::gasEquations::fluxesOfFaces
 
     if (state.shocked)
     {
-        if (flatShocks_)
+        for (int k = 0; k < nVar && flatFrom_ < GREAT; k++)
         {
-            firstOrder_(block, n, 0, nVar);
+            for (int i = 0; i < n; i++)
+            {
+                const double limited = 1 - state.flat[i];
+                const double qo = block.owner[k][i];
+                const double qr = block.far[k][i];
+                block.L[k][i] = qo + limited*(block.L[k][i] - qo);
+                block.R[k][i] = qr + limited*(block.R[k][i] - qr);
+            }
         }
         blendFluxes(block, n, state.shock);
     }

@@ -134,7 +134,11 @@ void Foam::gasEquations::setSchemes(const bool steady)
     flux_ = selectFlux(fluxName, nDim, eos_.thermallyPerfect());
     robustFlux_ = shockFlux(nDim, eos_.thermallyPerfect());
     sensesShocks_ = fluxName != "Kurganov" && fluxName != "Tadmor";
-    flatShocks_ = false;
+
+    // A shock that crosses mesh lines leaves a wake of errors where states
+    // within it are not uniform, the more so the stronger it is; a weak one
+    // would only be smeared. A steady state has flattenShocks() for this.
+    flatFrom_ = steady || !sensesShocks_ ? GREAT : 0.5;
 
     if (!flux_)
     {

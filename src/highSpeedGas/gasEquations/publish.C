@@ -103,6 +103,9 @@ void Foam::gasEquations::storeOldTime()
     if (turbulent() || boundaryNeedsProperties_)
     {
         store(rho_);
+    }
+    if (turbulent() || boundaryNeedsProperties_ || U_.nOldTimes())
+    {
         store(U_);
     }
     if (boundaryNeedsProperties_)
