@@ -261,6 +261,12 @@ void Foam::parcelClouds::evolve
 
 void Foam::parcelClouds::setGasResponds(const bool responds)
 {
+    if (responds && !empty())
+    {
+        // Forces by the acceleration of the gas ask for the velocity before
+        // the step, already in the first one
+        U_.oldTime();
+    }
     forAll(clouds_, i)
     {
         clouds_[i].setGasResponds(responds);

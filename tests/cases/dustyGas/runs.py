@@ -220,6 +220,26 @@ off = np.linalg.norm(gas1 - gas0 + dust1 - dust0)/moved
 verdict("gas_feels_its_acceleration", off < 1e-9 and moved > 1e-2*abs(gas0[0]),
         "of the momentum that grains in waves received the gas lost all but"
         " %.1e; it was %.2g of the gas' own" % (off, moved/abs(gas0[0])))
+half = copy_case("waves", "wavesHalf")
+for time in times_of(half)[2:]:
+    must(".", "rm", "-rf", os.path.join(half, time))
+solve(half)
+verdict("acceleration_restarts", np.array_equal(
+    *(read_dust(case, times_of(case)[-1])[1] for case in ("waves", half))),
+        "to the bit")
+
+# In the first step, too: grains at rest in a gas that was, and nothing else
+sealed("firstStep", 1, 2e-5, 1, 1e-7, u=(0, 0, 0), T=T0, T_dust=T0,
+       cells=(20, 1), p=1e5*(1 + 0.5*np.sin(2*np.pi*x)),
+       drag="pressureGradient { U U; }",
+       change=lambda cloud: cloud.replace("rho0 2500", "rho0 5"))
+solve("firstStep")
+rho, u = last_fields("firstStep", "rho U")
+wanted = rho*u[:, 0]/5
+_, v, _ = read_dust("firstStep", times_of("firstStep")[-1])
+off = np.abs(v - wanted).max()/wanted.max()
+verdict("acceleration_of_the_first_step", off < 1e-2,
+        "velocities off by %.1e of the largest" % off)
 
 # Sources spread over a length: the kernel of one implicit step on a periodic
 # line, the totals, ranks. So short a step that the gas does not carry it on
