@@ -200,9 +200,26 @@ Foam::scalar Foam::surfaceImpactStatistics::enthalpy
 }
 
 
+bool Foam::surfaceImpactStatistics::isRound(const polyPatch& pp) const
+{
+    bool round = true;
+    const pointField::subField centres(pp.faceCentres());
+    const vectorField::subField areas(pp.faceAreas());
+    forAll(pp, i)
+    {
+        const impact::vector3 radial = angle_->normal(toCore(centres[i]));
+        round = round
+         && mag(impact::dot(radial, toCore(areas[i])))
+          > roundness*mag(areas[i]);
+    }
+    return returnReduce(round, andOp<bool>());
+}
+
+
 void Foam::surfaceImpactStatistics::setAreas()
 {
     const label nBins = angle_ ? angle_->size() : 0;
+    round_.setSize(mesh_.boundaryMesh().size(), false);
     areas_.setSize(nBins + patches_.size(), 0);
 
     std::vector<double> binned(nBins, 0.0);
@@ -214,6 +231,7 @@ void Foam::surfaceImpactStatistics::setAreas()
         areas_[nBins + i] = sum(mag(pp.faceAreas()));
         if (angle_)
         {
+            round_[patches_[i]] = isRound(pp);
             for (const face& f : pp)
             {
                 polygon.clear();
@@ -370,6 +388,7 @@ Foam::surfaceImpactStatistics::surfaceImpactStatistics
     patchItem_(),
     threshold_(getNumber(dict, "threshold", "[0, 3e8) m/s", scalar(1))),
     angle_(),
+    round_(),
     erosion_(),
     heat_(false),
     wallTemperature_(0),
@@ -479,9 +498,11 @@ void Foam::surfaceImpactStatistics::take
     if (angle_)
     {
         const impact::vector3 x = toCore(i.position);
-        const impact::vector3 radial = angle_->normal(x);
-        const double side = impact::dot(radial, wall);
-        n = side > 0 ? radial : side < 0 ? -radial : wall;
+        if (round_[i.patch])
+        {
+            const impact::vector3 radial = angle_->normal(x);
+            n = impact::dot(radial, wall) > 0 ? radial : -radial;
+        }
         p.bin = nearestBin_[angle_->bin(x)];
     }
 

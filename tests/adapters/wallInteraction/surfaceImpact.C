@@ -440,6 +440,50 @@ TEST_F(surfaceImpactTest, tellsPatchesOfEitherKindApart)
 }
 
 
+TEST_F(surfaceImpactTest, anAxisLeavesPlatesFlat)
+{
+    // Beside the plate, in it, and across: none makes it a cylinder
+    const std::string function = "{type surfaceImpact; patches (plate);";
+    std::string functions = "cloudFunctions{a" + function + "}";
+    int i = 0;
+    for
+    (
+        const char* axis :
+        {
+            "origin (0.05 0.02 0); direction (0 0 1); from (1 0 0);",
+            "origin (0.1 0 0); direction (0 1 0); from (0 0 1);",
+            "origin (0 0.02 0); direction (1 0 0); from (0 0 1);"
+        }
+    )
+    {
+        functions += std::string(1, char('b' + i++)) + function
+            + " axis{" + axis + " binWidth 10;}}";
+    }
+    properties
+    (
+        std::string(rake) + "patchInteractionModel rebound;"
+        "reboundCoeffs{UFactor 1;}}" + functions + "}"
+        "subModels{injectionModels{rake{U0 (1000 400 0);}}}"
+    );
+    open();
+    auto cloud = make<basicKinematicCloud>();
+    evolve(*cloud, 50);
+    const auto mean = [&](const label k, const statistics::quantity quantity)
+    {
+        const statistics& a = results(*cloud, k);
+        return sum(a, quantity)/sum(a, statistics::IMPACTS);
+    };
+    ASSERT_GE(sum(results(*cloud, 0), statistics::IMPACTS), 5);
+    for (const auto q : {statistics::ANGLE, statistics::NORMAL_SPEED})
+    {
+        for (label k = 1; k < 4; ++k)
+        {
+            EXPECT_NEAR(mean(k, q)/mean(0, q), 1, 1e-12) << k;
+        }
+    }
+}
+
+
 TEST_F(surfaceImpactTest, measuresRelativeToTheWall)
 {
     // The plate flees tangentially with the parcels' tangential velocity
