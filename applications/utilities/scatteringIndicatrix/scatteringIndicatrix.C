@@ -100,6 +100,17 @@ void run
             << r.convergence.back().error << ", "
             << n/max(r.cpuSeconds, 1e-9) << " particles per CPU second"
             << endl;
+
+        const double capped = all.count(statistics::capped)/max(n, 1.0);
+        if (capped > 0.01)
+        {
+            WarningInFunction
+                << 100*capped << " % of the particles were still at the wall"
+                << " after as many impacts as are followed (capped in"
+                << " summary.csv): they are binned as they were then. A law"
+                << " that leaves them no velocity off the wall has no"
+                << " scattering; raise restitution or maxImpacts" << endl;
+        }
     }
 }
 

@@ -5,6 +5,7 @@
 #include "completeWrite.H"
 #include "OSspecific.H"
 #include "OFstream.H"
+#include "fileOperation.H"
 #include "PstreamReduceOps.H"
 #include "DynamicList.H"
 #include "HashSet.H"
@@ -177,6 +178,20 @@ bool Foam::completeWrite::unfinished(const fileName& timeFolder)
 
 void Foam::completeWrite::setAsideUnfinished(const argList& args)
 {
+    const word handler(fileHandler().type());
+    if
+    (
+        Pstream::parRun()
+     && (handler == "collated" || handler == "hostCollated")
+    )
+    {
+        FatalErrorInFunction
+            << "Files of all ranks together (fileHandler " << handler
+            << ") cannot be marked as written to their end." << nl
+            << "Decompose and run without it, or with -fileHandler uncollated"
+            << exit(FatalError);
+    }
+
     List<wordList> names(Pstream::nProcs());
     {
         DynamicList<word> here;

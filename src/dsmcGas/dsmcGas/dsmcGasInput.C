@@ -347,6 +347,14 @@ void Foam::dsmcGas::readSampling()
         samplingEvery_ =
             getNumber<label>(*sampling, "every", validRange::count, 1);
         means_.reset(new gasFields(mesh_, species_, weight_, "Mean"));
+        if (samplingStart_ > mesh_.time().endTime().value())
+        {
+            WarningInFunction
+                << "Entry start of sampling is " << samplingStart_
+                << " s, after the end of the run: the fields of means will be"
+                << " zero. Set it below endTime, or leave the block out"
+                << endl;
+        }
     }
 }
 

@@ -141,7 +141,15 @@ void Foam::solidParticles::readCorrection()
     const word name("knudsenCorrection");
     if (!properties_.isDict(name))
     {
-        getWord(properties_, name, {"off"});
+        const word value(properties_.lookupOrDefault<word>(name, "off"));
+        if (value != "off")
+        {
+            refuse
+            (
+                properties_, name, value,
+                "off, or a block { drag ...; heat ...; }"
+            );
+        }
         return;
     }
     const dictionary& dict = properties_.subDict(name);

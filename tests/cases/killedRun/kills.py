@@ -273,3 +273,10 @@ if restarts("oneRankUnfinished", "ranks", 50, 49, 2):
                 last_fields("straight", "p T rho")))
     verdict("oneRankUnfinishedSame", d < 1e-11,
             f"differs from one rank by {d:.1e}, tolerance 1e-11")
+
+# Files of all ranks together
+status, text = run("straight2", "mpirun", "--oversubscribe", "-np", "2",
+                   "rhoCentralParcelFoam", "-parallel", "-fileHandler",
+                   "collated")
+verdict("collated_is_refused", status != 0
+        and "with -fileHandler uncollated" in text, complaint(text))

@@ -328,6 +328,51 @@ TEST(cellCollisions, rotationRelaxesAtTheRateOfTheExchange)
 }
 
 
+TEST(cellCollisions, stressDecaysByHalfOfAPairAtEachCollision)
+{
+    // Two molecules whose relative motion takes any direction keep the half of
+    // their unequal stresses that is in the motion of both. With omega = 1 all
+    // pairs are as likely, so that the number of collisions says how far the
+    // stress of the gas decays. A pair that met twice would lose nothing more.
+    cell gas({{66.3e-27, 4.17e-10, 1, 0}}, {400000}, 300, 0);
+    for (double& u : gas.u)
+    {
+        u *= 2.5;
+    }
+    const auto stress = [&gas]()
+    {
+        double sum = 0;
+        for (int i = 0; i < gas.size(); ++i)
+        {
+            sum += gas.u[i]*gas.u[i]
+              - 0.5*(gas.v[i]*gas.v[i] + gas.w[i]*gas.w[i]);
+        }
+        return sum;
+    };
+    cellCollisions c(gas.species, 273, 0, 17);
+    cellCollisions::counts counts;
+    counterRandom rnd(31);
+    const double start = stress();
+    double sigmaCMax = 1e-16;
+    for (int step = 0; counts.collisions < gas.size(); ++step)
+    {
+        // Flight takes molecules out of their sub-cells
+        for (auto* x : {&gas.x, &gas.y, &gas.z})
+        {
+            for (double& xi : *x)
+            {
+                xi = 1e-3*rnd.uniform();
+            }
+        }
+        const double rate = 0.5/(gas.size()*c.sigmaC(0, 0, 1));
+        c.collide(gas.molecules(), gas.box, rate, sigmaCMax, 0, step, counts);
+        ASSERT_LT(step, 10);
+    }
+    const double meetings = double(counts.collisions)/(gas.size() - 1);
+    EXPECT_NEAR(-std::log(stress()/start)/meetings, 1, 0.016);
+}
+
+
 TEST(cellCollisions, partnersComeFromTheSameSubCell)
 {
     // Two clouds in opposite corners, one heading for the other: collisions

@@ -7,6 +7,7 @@
 #include "elementary.H"
 #include "maxwellian.H"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -95,8 +96,7 @@ void impact::cellCollisions::divide(const molecules& gas, const box& around)
         nDivided += perWidth > 0;
     }
 
-    // Two molecules for each sub-cell or more: with fewer, many would meet the
-    // partner of their last collision again, which changes nothing
+    // Two molecules for each sub-cell or more
     int m = 2;
     while (nDivided && 2*std::pow(m + 1, nDivided) <= n)
     {
@@ -112,7 +112,9 @@ void impact::cellCollisions::divide(const molecules& gas, const box& around)
         subCell_.resize(n);
         order_.resize(n);
         rank_.resize(n);
+        last_.resize(n);
     }
+    std::fill_n(last_.begin(), n, -1);
     subStart_.assign(nSub + 1, 0);
 
     const auto along = [](double x, double corner, double scale, int limit)
@@ -141,6 +143,26 @@ void impact::cellCollisions::divide(const molecules& gas, const box& around)
     {
         order_[subStart_[subCell_[i]] + rank_[i]] = i;
     }
+}
+
+
+int impact::cellCollisions::another
+(
+    int p,
+    int q,
+    int n,
+    counterRandom& rnd
+) const
+{
+    const int sub = subCell_[p];
+    const int nSub = subStart_[sub + 1] - subStart_[sub];
+    const bool near = nSub > 2 && subCell_[q] == sub;
+    const int a = near ? rank_[p] : p;
+    const int b = near ? rank_[q] : q;
+    int i = below(rnd.bits(), (near ? nSub : n) - 2);
+    i += i >= std::min(a, b);
+    i += i >= std::max(a, b);
+    return near ? order_[subStart_[sub] + i] : i;
 }
 
 
@@ -301,6 +323,12 @@ void impact::cellCollisions::collide
             const int i = below(other, n - 1);
             q = i + (i >= p);
         }
+        if ((last_[p] == q || last_[q] == p) && n > 2)
+        {
+            q = another(p, q, n, rnd);
+        }
+        last_[p] = q;
+        last_[q] = p;
 
         const double du = gas.u[p] - gas.u[q];
         const double dv = gas.v[p] - gas.v[q];

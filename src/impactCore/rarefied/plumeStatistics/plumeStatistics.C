@@ -449,7 +449,8 @@ impact::plumeStatistics::estimate impact::plumeStatistics::radius
 
 double impact::plumeStatistics::largestError() const
 {
-    double worst = 0;
+    // Below zero without any cell; where all fall into one it is none
+    double worst = -1;
     for (std::size_t grid = 0; grid < setup_.grids.size(); ++grid)
     {
         const int nCells = setup_.grids[grid].nCells();
@@ -472,5 +473,5 @@ double impact::plumeStatistics::largestError() const
             }
         }
     }
-    return worst > 0 ? worst : std::numeric_limits<double>::infinity();
+    return worst >= 0 ? worst : std::numeric_limits<double>::infinity();
 }
