@@ -89,6 +89,17 @@ Foam::scatteringSetup::scatteringSetup
     incidences(getNumbers(dict, "incidence", "[1e-6, 90] deg"))
 {
     refuseOthers(dict, ours);
+    forAll(incidences, i)
+    {
+        if (incidences.find(incidences[i]) < i)
+        {
+            refuse
+            (
+                dict, "incidence", incidences[i],
+                "a list of different angles: each has its own folder"
+            );
+        }
+    }
     scatteringEntries::read(dict, casePath, sampler);
     sampler.incidence = incidences[0];
     sampler.speed = getNumber(dict, "speed", "[1e-6, 3e8) m/s, below light");

@@ -160,8 +160,15 @@ void Foam::monteCarloRun::watch
             lastReport = elapsed;
             const double share =
                 double(done)*Pstream::nProcs()/double(nParticles);
-            Info<< "    " << 100*share << " %, remaining "
-                << elapsed*(1/std::max(share, 1e-12) - 1) << " s" << endl;
+            Info<< "    " << 100*share << " %, ";
+            if (share > 0)
+            {
+                Info<< "remaining " << elapsed*(1/share - 1) << " s" << endl;
+            }
+            else
+            {
+                Info<< "none done after " << elapsed << " s" << endl;
+            }
         }
     }
     working.get();

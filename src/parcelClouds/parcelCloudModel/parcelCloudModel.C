@@ -4,10 +4,12 @@
 
 #include "parcelCloudModel.H"
 #include "checked.H"
+#include "presentFile.H"
 #include "processorTime.H"
 #include "stockCloudEntries.H"
 #include "IOdictionary.H"
 #include "Time.H"
+#include "uniformDimensionedFields.H"
 
 #include <cstdlib>
 #include <dlfcn.h>
@@ -101,6 +103,37 @@ Foam::parcelCloudModel::parcelCloudModel()
 {}
 
 
+namespace Foam
+{
+
+//- Clouds are given no gravity if there is no file of it
+void refuseGravityWithout(const dictionary& properties, const fvMesh& mesh)
+{
+    IOobject g
+    (
+        "g",
+        mesh.time().constant(),
+        mesh,
+        IOobject::MUST_READ,
+        IOobject::NO_WRITE,
+        false
+    );
+    const dictionary forces
+    (
+        properties.subOrEmptyDict("subModels").subOrEmptyDict("particleForces")
+    );
+    if (forces.found("gravity") && !isPresent<uniformDimensionedVectorField>(g))
+    {
+        FatalIOErrorInFunction(properties)
+            << "Force gravity needs the file constant/g, e.g. with"
+            << " dimensions [0 1 -2 0 0 0 0]; value (0 0 -9.81);"
+            << exit(FatalIOError);
+    }
+}
+
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
 
 Foam::IOobject Foam::parcelCloudModel::properties
@@ -134,6 +167,7 @@ Foam::autoPtr<Foam::parcelCloudModel> Foam::parcelCloudModel::New
     (
         parcelCloudModel::properties(name, rho.mesh())
     );
+    refuseGravityWithout(properties, rho.mesh());
     refuseOthers
     (
         properties,

@@ -123,9 +123,28 @@ void Foam::SpinningParcel<ParcelType>::readFields(CloudType& c)
             [&](parcel& p, const Type& x) { value(p) = x; }
         );
     };
+
+    // Parcels of a stock cloud have no spin and have struck nothing
+    const auto there = [&](const word& name)
+    {
+        return valid && isFile
+        (
+            c.fieldIOobject(name, IOobject::MUST_READ).objectPath()
+        );
+    };
+    const bool spinning =
+        returnReduce(there("omega") || there("nImpacts"), orOp<bool>());
     visitFields([&](const word& name, const auto& value)
     {
-        take(name, value, IOobject::MUST_READ);
+        const bool ours = name == "omega" || name == "nImpacts";
+        take
+        (
+            name,
+            value,
+            ours && !spinning
+          ? IOobject::READ_IF_PRESENT
+          : IOobject::MUST_READ
+        );
     });
 
     // Written by later releases, and by clouds with heat transfer

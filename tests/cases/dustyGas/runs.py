@@ -228,6 +228,23 @@ verdict("acceleration_restarts", np.array_equal(
     *(read_dust(case, times_of(case)[-1])[1] for case in ("waves", half))),
         "to the bit")
 
+# Parcels of a stock cloud have neither spin nor a number of impacts
+begun = times_of(half)[1]
+for name, lost in (("fromStock", ("omega", "nImpacts")),
+                   ("incomplete", ("nImpacts",))):
+    copy_case(half, name)
+    must(".", "rm", "-rf", os.path.join(name, times_of(name)[-1]))
+    os.remove(os.path.join(name, begun, "uniform", "complete"))
+    for file in lost:
+        os.remove(os.path.join(name, begun, "lagrangian", "sand", file))
+solve("fromStock")
+verdict("goes_on_from_a_stock_cloud", np.array_equal(
+    *(read_dust(case, times_of(case)[-1])[1] for case in (half, "fromStock"))),
+        "to the bit")
+status, text = run("incomplete", "rhoCentralParcelFoam")
+verdict("lost_number_of_impacts_is_refused", status != 0
+        and "nImpacts" in text, complaint(text))
+
 # In the first step, too: grains at rest in a gas that was, and nothing else
 sealed("firstStep", 1, 2e-5, 1, 1e-7, u=(0, 0, 0), T=T0, T_dust=T0,
        cells=(20, 1), p=1e5*(1 + 0.5*np.sin(2*np.pi*x)),
