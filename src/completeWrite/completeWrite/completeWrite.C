@@ -152,6 +152,24 @@ static fileName markFolder(const Time& runTime, const word& timeName)
     return runTime.path()/timeName/"uniform";
 }
 
+//- Each rank marks the files of its own
+static void refuseCollated()
+{
+    const word handler(fileHandler().type());
+    if
+    (
+        Pstream::parRun()
+     && (handler == "collated" || handler == "hostCollated")
+    )
+    {
+        FatalErrorInFunction
+            << "Files of all ranks together (fileHandler " << handler
+            << ") cannot be marked as written to their end." << nl
+            << "Decompose and run without it, or with -fileHandler uncollated"
+            << exit(FatalError);
+    }
+}
+
 } // End namespace Foam
 
 bool Foam::completeWrite::pending_ = false;
@@ -178,19 +196,7 @@ bool Foam::completeWrite::unfinished(const fileName& timeFolder)
 
 void Foam::completeWrite::setAsideUnfinished(const argList& args)
 {
-    const word handler(fileHandler().type());
-    if
-    (
-        Pstream::parRun()
-     && (handler == "collated" || handler == "hostCollated")
-    )
-    {
-        FatalErrorInFunction
-            << "Files of all ranks together (fileHandler " << handler
-            << ") cannot be marked as written to their end." << nl
-            << "Decompose and run without it, or with -fileHandler uncollated"
-            << exit(FatalError);
-    }
+    refuseCollated();
 
     List<wordList> names(Pstream::nProcs());
     {

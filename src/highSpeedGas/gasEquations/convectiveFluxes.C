@@ -18,10 +18,17 @@ inline bool outOfReach(const std::vector<double>& gradient)
     return gradient.size() > 250000;
 }
 
+//- From 0 to 1 as x goes from 0 to 1, without a kink: a steady state can come
+//  to rest
+inline double smoothStep(const double x)
+{
+    return x*x*(3 - 2*x);
+}
+
+
 //- Share 0..1 of a face in a shock, by how much the pressure rises along the
 //  flow within the distance delta between two cells, in parts of itself: 0 up
-//  to least, 1 from least + 0.1 on. Smooth, so that a steady state can come to
-//  rest.
+//  to least, 1 from least + 0.1 on.
 //  \param restSqr  square of a speed [m^2/s^2] of gas that is nearly at rest
 //  \param flatFrom  rise of pressure from which on cells are taken to be uniform
 //  \param flat  share 0..1 in which they are: 1 from twice that rise on
@@ -69,11 +76,15 @@ inline double shareInShock
                 ug[side]/std::sqrt(max(uu[side], restSqr)*gg[side]);
             const double x =
                 min(10*(jump - least), 1.0)*min(10*along, 1.0);
-            share = max(share, x*x*(3 - 2*x));
+            share = max(share, smoothStep(x));
 
-            const double y =
-                jump < 2*flatFrom ? max(jump/flatFrom - 1, 0.0) : 1.0;
-            flat = max(flat, y*y*(3 - 2*y));
+            flat = max
+            (
+                flat,
+                jump < 2*flatFrom
+              ? smoothStep(max(jump/flatFrom - 1, 0.0))
+              : 1.0
+            );
         }
     }
     return share;

@@ -106,18 +106,25 @@ Foam::parcelCloudModel::parcelCloudModel()
 namespace Foam
 {
 
-//- Clouds are given no gravity if there is no file of it
-void refuseGravityWithout(const dictionary& properties, const fvMesh& mesh)
+//- A file in constant that is read once
+IOobject constantFile(const word& name, const fvMesh& mesh)
 {
-    IOobject g
+    return IOobject
     (
-        "g",
+        name,
         mesh.time().constant(),
         mesh,
         IOobject::MUST_READ,
         IOobject::NO_WRITE,
         false
     );
+}
+
+
+//- Clouds are given no gravity if there is no file of it
+void refuseGravityWithout(const dictionary& properties, const fvMesh& mesh)
+{
+    IOobject g(parcelCloudModel::gravity(mesh));
     const dictionary forces
     (
         properties.subOrEmptyDict("subModels").subOrEmptyDict("particleForces")
@@ -142,15 +149,13 @@ Foam::IOobject Foam::parcelCloudModel::properties
     const fvMesh& mesh
 )
 {
-    return IOobject
-    (
-        name + "Properties",
-        mesh.time().constant(),
-        mesh,
-        IOobject::MUST_READ,
-        IOobject::NO_WRITE,
-        false
-    );
+    return constantFile(name + "Properties", mesh);
+}
+
+
+Foam::IOobject Foam::parcelCloudModel::gravity(const fvMesh& mesh)
+{
+    return constantFile("g", mesh);
 }
 
 

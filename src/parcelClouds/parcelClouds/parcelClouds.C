@@ -100,15 +100,7 @@ void Foam::parcelClouds::weigh()
 
 Foam::dimensionedVector Foam::parcelClouds::readG(const fvMesh& mesh)
 {
-    IOobject io
-    (
-        "g",
-        mesh.time().constant(),
-        mesh,
-        IOobject::MUST_READ,
-        IOobject::NO_WRITE,
-        false
-    );
+    IOobject io(parcelCloudModel::gravity(mesh));
     if (isPresent<uniformDimensionedVectorField>(io))
     {
         return uniformDimensionedVectorField(io);
