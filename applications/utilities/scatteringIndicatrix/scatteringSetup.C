@@ -76,6 +76,27 @@ std::vector<double> readTableSpeeds
     return speeds;
 }
 
+
+//- A body over thousands of knots takes as long as thousands of bodies; most
+//  often its lengths are in other units than those of the wall
+void warnOfScale(const impact::scatteringSampler::setup& sampler)
+{
+    if (!sampler.wall || sampler.wall->isFlat())
+    {
+        return;
+    }
+    const double size = 2*sampler.body.radius();
+    const double spacing = sampler.wall->meanSpacing();
+    if (size > 1000*spacing)
+    {
+        WarningInFunction
+            << "The body is " << size << " m long, the points of the wall are "
+            << spacing << " m apart: each impact is sought over all points"
+            << " under the body, which takes long. Is an entry scale missing,"
+            << " of shape or wall?" << endl;
+    }
+}
+
 } // End anonymous namespace
 
 
@@ -121,4 +142,5 @@ Foam::scatteringSetup::scatteringSetup
         impact::scatteringSampler(sampler).emptyStatistics();
         return true;
     });
+    warnOfScale(sampler);
 }

@@ -47,6 +47,26 @@ Foam::dsmcGas::state Foam::dsmcGas::stateOfAll() const
             2*max(energy - 0.5*magSqr(momentum)/s.mass, scalar(0))
            /(3*impact::maxwellian::boltzmann*n);
     }
+    if (!collisions_.valid() || !(s.temperature > 0))
+    {
+        return s;
+    }
+
+    // Means over pairs at equilibrium: of |c| and of sigma |c|
+    const scalar T = s.temperature;
+    const scalar density = n*weight_/gSum(mesh_.V());
+    scalar speed = 0;
+    forAll(names_, p)
+    {
+        const scalar share = s.count[p]/n;
+        speed += share*impact::maxwellian::meanSpeed(T, species_[p].mass);
+        forAll(names_, q)
+        {
+            s.collisionRate += share*s.count[q]/n*density
+               *collisions_->equilibriumSigmaC(p, q, T);
+        }
+    }
+    s.meanFreePath = speed/max(s.collisionRate, VSMALL);
     return s;
 }
 
@@ -55,7 +75,6 @@ void Foam::dsmcGas::describe() const
 {
     const state whole = stateOfAll();
     const scalar T = whole.temperature;
-    const scalarField& count = whole.count;
     const label n = nStart_;
     const scalar density = n*weight_/gSum(mesh_.V());
 
@@ -74,20 +93,10 @@ void Foam::dsmcGas::describe() const
         << "    molecules per cell: "
         << scalar(n)/returnReduce(mesh_.nCells(), sumOp<label>()) << nl;
 
-    // Means over pairs at equilibrium: of |c| and of sigma |c|
-    scalar rate = 0, speed = 0;
-    if (collisions_.valid() && T > 0)
+    if (whole.collisionRate > 0)
     {
-        forAll(names_, p)
-        {
-            const scalar share = count[p]/n;
-            speed += share*impact::maxwellian::meanSpeed(T, species_[p].mass);
-            forAll(names_, q)
-            {
-                rate += share*count[q]/n*density
-                   *collisions_->equilibriumSigmaC(p, q, T);
-            }
-        }
+        const scalar rate = whole.collisionRate;
+        const scalar path = whole.meanFreePath;
         scalar width = 0;
         forAll(mesh_.cells(), celli)
         {
@@ -99,11 +108,20 @@ void Foam::dsmcGas::describe() const
         }
         reduce(width, maxOp<scalar>());
         const scalar deltaT = mesh_.time().deltaTValue();
-        Info<< "    mean free path: " << speed/rate
+        Info<< "    mean free path: " << path
             << " m, greatest cell width: " << width << " m" << nl
             << "    mean collision time: " << 1/rate << " s, time step: "
             << deltaT << " s" << nl;
-        if (width > speed/rate || deltaT*rate > 1)
+        if (width > 10*path || deltaT*rate > 10)
+        {
+            WarningInFunction
+                << "Cells and steps are to be below the mean free path "
+                << path << " m and the mean collision time " << 1/rate
+                << " s. This gas, with cells up to " << width
+                << " m and steps of " << deltaT << " s, conducts heat and"
+                << " momentum many times as well as a real one" << endl;
+        }
+        else if (width > path || deltaT*rate > 1)
         {
             Info<< "    (accurate transport needs cells and steps below these"
                 << " lengths and times)" << nl;

@@ -506,54 +506,6 @@ void Foam::gasEquations::setSources
 }
 
 
-void Foam::gasEquations::reportInletShocks(const bool steady) const
-{
-    // Of pressures, through a normal shock at Mach number 1.2
-    const scalar jump = 1.5;
-
-    // In a steady gas one that begins at the corner of a wall and an inlet may
-    // be meant
-    const scalar least = steady ? 0.05 : 0.01;
-
-    for (const gasMesh::patchRange& patch : geometry_.patches())
-    {
-        if (patch.coupled || patch.image())
-        {
-            continue;
-        }
-        scalar all = 0;
-        scalar shocked = 0;
-        for (label f = patch.start; f < patch.start + patch.size; f++)
-        {
-            double a;
-            const double* outside = &primitive[geometry_.far[f]*nVar_];
-            const double* inside = &primitive[geometry_.owner[f]*nVar_];
-            const double un = outwardSpeed(f, outside, a);
-            double uu = 0;
-            for (int k = 2; k < nVar_; k++)
-            {
-                uu += outside[k]*outside[k];
-            }
-            all += geometry_.area[f];
-            if (un < 0 && uu > a*a && inside[0] > jump*outside[0])
-            {
-                shocked += geometry_.area[f];
-            }
-        }
-        reduce(all, sumOp<scalar>());
-        reduce(shocked, sumOp<scalar>());
-        if (shocked > least*all)
-        {
-            WarningInFunction
-                << "A shock stands at " << 100*shocked/all << " % of patch "
-                << mesh_.boundary()[patch.patchi].name()
-                << ", through which gas comes in faster than sound. The patch"
-                << " must lie farther out, before the shock" << endl;
-        }
-    }
-}
-
-
 void Foam::gasEquations::reportInvalidCells()
 {
     label celli = -1;
@@ -597,7 +549,7 @@ void Foam::gasEquations::reportInvalidCells()
         }
     }
 
-    reportInletShocks(false);
+    reportOpenPatches(false);
 
     // Marked as incomplete: to look at, not to restart from. What a run
     // started from stays as it is

@@ -229,3 +229,65 @@ Foam::gasImbalance Foam::gasEquations::imbalance(const scalar bound) const
     }
     return b;
 }
+
+
+void Foam::gasEquations::reportOpenPatches(const bool steady) const
+{
+    // Of pressures, through a normal shock at Mach number 1.2
+    const scalar jump = 1.5;
+
+    // In a steady gas one that begins at the corner of a wall and an inlet may
+    // be meant
+    const scalar least = steady ? 0.05 : 0.01;
+
+    for (const gasMesh::patchRange& patch : geometry_.patches())
+    {
+        if (patch.coupled || patch.image())
+        {
+            continue;
+        }
+        scalar all = 0;
+        scalar shocked = 0;
+        scalar returning = 0;
+        for (label f = patch.start; f < patch.start + patch.size; f++)
+        {
+            double a;
+            const double* outside = &primitive[geometry_.far[f]*nVar_];
+            const double* inside = &primitive[geometry_.owner[f]*nVar_];
+            const double un = outwardSpeed(f, outside, a);
+            double uu = 0;
+            for (int k = 2; k < nVar_; k++)
+            {
+                uu += outside[k]*outside[k];
+            }
+            all += geometry_.area[f];
+            if (un < 0 && uu > a*a && inside[0] > jump*outside[0])
+            {
+                shocked += geometry_.area[f];
+            }
+            returning += un < 0 ? geometry_.area[f] : 0;
+        }
+        reduce(all, sumOp<scalar>());
+        reduce(shocked, sumOp<scalar>());
+        reduce(returning, sumOp<scalar>());
+        if (shocked > least*all)
+        {
+            WarningInFunction
+                << "A shock stands at " << 100*shocked/all << " % of patch "
+                << mesh_.boundary()[patch.patchi].name()
+                << ", through which gas comes in faster than sound. The patch"
+                << " must lie farther out, before the shock" << endl;
+        }
+        const bool outlet =
+            U_.boundaryField()[patch.patchi].type() == "zeroGradient";
+        if (!steady && outlet && returning > 0.01*all)
+        {
+            WarningInFunction
+                << "Gas comes back through " << 100*returning/all
+                << " % of patch " << mesh_.boundary()[patch.patchi].name()
+                << ", whose condition on U is zeroGradient: it says nothing of"
+                << " what comes. Set pressureInletOutletVelocity on U and"
+                << " inletOutlet on T" << endl;
+        }
+    }
+}

@@ -193,7 +193,7 @@ bool Foam::highSpeedGas::findSteadyState
 
 void Foam::highSpeedGas::report(const bool steady) const
 {
-    equations_->reportInletShocks(steady);
+    equations_->reportOpenPatches(steady);
     if (steady)
     {
         equations_->reportStagnation();

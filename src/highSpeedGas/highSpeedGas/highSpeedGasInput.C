@@ -8,6 +8,22 @@
 #include "presentFile.H"
 #include "sigFpe.H"
 
+namespace
+{
+
+using namespace Foam;
+
+// What boundary conditions on p and T give, by type
+const HashTable<word> ofPositive
+{
+    {"fixedValue", "value"}, {"inletOutlet", "inletValue"},
+    {"outletInlet", "outletValue"}, {"freestream", "freestreamValue"},
+    {"freestreamPressure", "freestreamValue"}, {"totalPressure", "p0"},
+    {"totalTemperature", "T0"}
+};
+
+} // End anonymous namespace
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::highSpeedGas::refuseWhatIsNotSolved() const
@@ -327,9 +343,10 @@ void Foam::highSpeedGas::checkPositive
         const dictionary* d =
             boundary.findDict(patch.name(), keyType::REGEX);
         const word type(d ? d->getOrDefault<word>("type", "") : "");
-        if (type == "fixedValue")
+        const auto key = ofPositive.cfind(type);
+        if (key.found() && d->found(key.val()))
         {
-            check(*d, "value", patch.size());
+            check(*d, key.val(), patch.size());
         }
     }
 }

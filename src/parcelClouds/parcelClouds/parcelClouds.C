@@ -45,6 +45,15 @@ Foam::wordList Foam::parcelClouds::readEntries(const fvMesh& mesh)
         {
             refuse(dict, "clouds", name, "a list of different names");
         }
+        if (mesh.foundObject<regIOobject>(name))
+        {
+            // In its place in the registry the cloud would not be written
+            refuse
+            (
+                dict, "clouds", name, "a name that no field has, here one of "
+                "type ", mesh.lookupObject<regIOobject>(name).type()
+            );
+        }
     }
     if (dict.found("sourceSmoothing"))
     {

@@ -432,7 +432,7 @@ void Foam::solidParticles::warnOfLargeParticles() const
     label nSmall = 0;
     for (const scalar V : mesh_.V())
     {
-        nSmall += d > Foam::cbrt(V);
+        nSmall += 3*d > Foam::cbrt(V);
     }
     reduce(nSmall, sumOp<label>());
     if (nSmall)
@@ -441,10 +441,21 @@ void Foam::solidParticles::warnOfLargeParticles() const
             << "The largest particles have a diameter of " << d
             << " m. " << nSmall << " of "
             << returnReduce(mesh_.nCells(), sumOp<label>())
-            << " cells are smaller, the smallest has a width of " << minSize
-            << " m (cube root of its volume)." << nl
+            << " cells are less than three times as wide, the smallest "
+            << minSize << " m (cube root of its volume)." << nl
             << "    Forces are those of the molecules of one cell: they need"
             << " particles far smaller than their cells" << endl;
+    }
+    const scalar path = gas_.meanFreePath();
+    if (d > path && !properties_.isDict("knudsenCorrection"))
+    {
+        WarningInFunction
+            << "The largest particles have a diameter of " << d
+            << " m, the mean free path of the gas is " << path
+            << " m: molecules that come back to a particle after a collision"
+            << " are not told from others, and force and heat come out too"
+            << " large. Laws for all Knudsen numbers: knudsenCorrection"
+            << endl;
     }
 }
 

@@ -173,7 +173,17 @@ void Foam::heatTransfer::update()
         Cv_ = uniform(Cv, "the specific heat");
         gammaR_ = gamma*R;
         CpOverPr_ = gamma*Cv_/Pr;
-        coefficients_.gamma = gamma;
+
+        // Rounded data of a monatomic gas are beyond 5/3 by their last digits
+        const scalar monatomic = 5.0/3.0;
+        if (gamma > 1.01*monatomic)
+        {
+            FatalIOErrorInFunction(models_)
+                << "heatTransfer on: Cp and molWeight of " << thermoName_
+                << " make a ratio of specific heats of " << gamma
+                << ": valid range (1, 5/3]" << exit(FatalIOError);
+        }
+        coefficients_.gamma = min(gamma, monatomic);
         coefficients_.Pr = Pr;
         heatLaw_ = checked
         (

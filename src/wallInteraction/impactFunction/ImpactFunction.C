@@ -84,8 +84,8 @@ void Foam::ImpactFunction<CloudType, Recorder>::preEvolve
 {
     if (recorder_)
     {
-        recorder_->begin();
         published_ = &wallImpacts::New(this->owner());
+        recorder_->begin(parcelHeat::carried<parcelType>(*published_));
         published_->add(*this);
     }
 }

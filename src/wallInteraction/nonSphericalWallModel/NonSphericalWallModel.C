@@ -289,6 +289,22 @@ Foam::NonSphericalWallModel<CloudType>::NonSphericalWallModel
     wallOf_(this->patches().size(), -1),
     keys_(scatteringEntries::getSeed(this->coeffDict()))
 {
+    const polyMesh& mesh = owner.pMesh();
+    if
+    (
+        mesh.nGeometricD() < mesh.nSolutionD()
+     && keepsToSolvedDirections<parcelType>::value
+     && !parcelSpin::carried<parcelType>()
+    )
+    {
+        FatalIOErrorInFunction(this->coeffDict())
+            << "Entry patchInteractionModel " << typeName << ": it gives"
+            << " parcels a velocity about the axis of a wedge, and those of a"
+            << " stock cloud end the run where they meet a plane of the wedge."
+            << nl << "Valid: a spinningKinematicCloud, whose parcels the planes"
+            << " mirror, or a sector between patches of type symmetryPlane"
+            << exit(FatalIOError);
+    }
     forAll(wallOf_, i)
     {
         if (this->fate(i) == ParcelWallModel<CloudType>::fateType::rebound)

@@ -182,14 +182,6 @@ Foam::scalar Foam::surfaceImpactStatistics::enthalpy
     const wallImpact& impact
 ) const
 {
-    if (!(impact.T > 0 && (impact.material || impact.Cp > 0)))
-    {
-        FatalIOErrorInFunction(dict_)
-            << "Entry heat: the parcels of " << cloudName_ << " have no"
-            << " temperature." << nl << "Valid: a spinningKinematicCloud with"
-            << " heatTransfer on, a stock thermo cloud, or no entry heat"
-            << exit(FatalIOError);
-    }
     return impact.mass*impact.enthalpyAbove
     (
         wallTemperature_ > 0
@@ -465,8 +457,16 @@ Foam::surfaceImpactStatistics::~surfaceImpactStatistics()
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::surfaceImpactStatistics::begin()
+void Foam::surfaceImpactStatistics::begin(const bool hot)
 {
+    if (heat_ && !hot)
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entry heat: the parcels of " << cloudName_ << " have no"
+            << " temperature." << nl << "Valid: a spinningKinematicCloud with"
+            << " heatTransfer on, a stock thermo cloud, or no entry heat"
+            << exit(FatalIOError);
+    }
     if (mesh_.changing())
     {
         FatalErrorInFunction

@@ -74,6 +74,13 @@ Foam::wallPatches::wallPatches
         }
     }
 
+    if (valid.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry patchInteractionModel " << model << ": the mesh has no"
+            << " patch that parcels could rebound from." << nl
+            << "Valid: patchInteractionModel none" << exit(FatalIOError);
+    }
     readItems(dict);
     forAll(settings_, number)
     {

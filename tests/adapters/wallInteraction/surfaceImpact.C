@@ -344,7 +344,7 @@ TEST_F(surfaceImpactTest, addsUpTheHeat)
 
     const auto s = make("heat{wallTemperature 400;}");
     (*time_)++;
-    s->begin();
+    s->begin(true);
     s->take(i, true, true);
     wallImpact stays(i);
     stays.captured = true;
@@ -376,9 +376,7 @@ TEST_F(surfaceImpactTest, addsUpTheHeat)
     );
 
     // Without a temperature, of parcel or wall
-    i.T = 0;
-    s->begin();
-    EXPECT_THROW(s->take(i, true, true), IOerror);
+    EXPECT_THROW(s->begin(false), IOerror);
     EXPECT_THROW(make("heat{}"), IOerror);
     EXPECT_THROW(make("heat{wallTemperature -1;}"), IOerror);
     EXPECT_THROW(make("heat{wallTemprature 300;}"), IOerror);
@@ -593,6 +591,19 @@ TEST_F(surfaceImpactTest, knowsParcelsThatSpin)
 }
 
 
+TEST_F(surfaceImpactTest, refusesHeatOfParcelsWithoutTemperatures)
+{
+    properties
+    (
+        std::string(rake) + "} cloudFunctions { a { type surfaceImpact;"
+        " patches (plate); heat { wallTemperature 300; } } }"
+    );
+    open();
+    auto cloud = make<basicKinematicCloud>();
+    EXPECT_THROW(evolve(*cloud, 1), IOerror);
+}
+
+
 TEST_F(surfaceImpactTest, takesTheAnnotatedDictionaries)
 {
     const fileName folder
@@ -603,8 +614,13 @@ TEST_F(surfaceImpactTest, takesTheAnnotatedDictionaries)
     for (const char* model : {"surfaceImpact", "dispersedPhase"})
     {
         IFstream is(folder/model);
-        const dictionary dict(is);
+        dictionary dict(is);
         ASSERT_TRUE(dict.found("cloudFunctions")) << model;
+        // (This cloud has no temperatures)
+        for (entry& e : dict.subDict("cloudFunctions"))
+        {
+            e.dict().remove("heat");
+        }
         OStringStream text;
         dict.write(text, false);
         properties

@@ -280,6 +280,8 @@ TABLE = [
     ("cloudTwice", replace("constant/parcelClouds", "(rake50)",
                            "(rake50 rake50)"),
      ["clouds", "rake50", "parcelClouds"]),
+    ("cloudOfAField", replace("constant/parcelClouds", "(rake50)", "(p)"),
+     ["clouds p", "a name that no field has", "volScalarField"]),
     ("sourceSmoothing", replace("constant/parcelClouds", "(rake50);",
                                 "(rake50);\nsourceSmoothing 0;"),
      ["sourceSmoothing 0", "(0, 1e3] m", "parcelClouds"]),

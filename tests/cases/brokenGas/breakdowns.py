@@ -113,6 +113,12 @@ refused("start_U_nan", "start_U_nan", "cell 42", "U = (nan 0 0)")
 poison(tube("inlet_T_nan"), "T", float("nan"), patch=True)
 refused("inlet_T_nan", "inlet_T_nan", "Entry value of T", "xMin", "nan")
 
+for name, condition in ("T", "totalTemperature; gamma 1.4; T0"), (
+        "p", "totalPressure; p0"):
+    case = tube("inlet_total_" + name, inlet={
+        name: f"type {condition} uniform -1; value uniform 1;"})
+    refused(case, case, f"0 of {name}", "xMin", "-1", "must be positive")
+
 # The velocity of a boundary is looked at when the first step is
 poison(tube("inlet_U_nan"), "U", (float("nan"), 0, 0), patch=True)
 stops("inlet_U_nan", "inlet_U_nan", "patch xMin", "U = (nan 0 0)", near=DT)

@@ -122,6 +122,24 @@ for name, (_, _, velocity) in CLOUDS.items():
             f" {rested} rests")
 
 write_foam(stock, "constant/parcelClouds", "clouds (linearThrough);")
+edit(copy_case(stock, "wedgeRough"), "constant/linearThroughProperties",
+     EMBEDDED, "")
+for old, new in (
+        ("type spinningKinematicCloud", "type basicKinematicCloud"),
+        (" omega0 (3e4 -4e4 5e4);", ""), ("rotationalTorqueModel none;", ""),
+        ("standardWallInteraction;", "nonSphericalRebound;"),
+        ("standardWallInteractionCoeffs { type escape; }",
+         'nonSphericalReboundCoeffs { patches (".*"'
+         " { shape { type ellipsoid; size (2 1 1); } wall { type smooth; }"
+         " law { type restitution; } }); }")):
+    edit("wedgeRough", "constant/linearThroughProperties", old, new)
+edit("wedgeRough", "system/controlDict", "(spinningParcel parcelInjection)",
+     "(parcelInjection parcelWallInteraction)")
+status, text = run("wedgeRough", "rhoCentralParcelFoam")
+said = complaint(text)
+verdict("wedge_refuses_azimuthal_rebounds",
+        status != 0 and "axis of a wedge" in said, f"exit {status}: {said}")
+
 edit(stock, "constant/linearThroughProperties", EMBEDDED, "motion stock;")
 status, text = run(stock, "rhoCentralParcelFoam")
 said = complaint(text)

@@ -199,7 +199,17 @@ TEST(convexBody, readsPolyhedraFromFiles)
     const std::string obj = write("box.obj", boxObj({1, 2, 3}));
     const std::string ascii = write("ascii.stl", boxStl({0.5, 1, 1.5}, 0));
     const std::string binary = write("binary.stl", boxStl({0.5, 1, 1.5}, 1));
-    for (const std::string& name : {obj, ascii, binary})
+
+    // Vertices of some triangles off by round-off, as of a cosine and a sine
+    std::string text = boxStl({0.5, 1, 1.5}, 0);
+    for (const char* x : {"vertex 0.5 ", "vertex -0.5 "})
+    {
+        std::string off(x);
+        off.insert(off.size() - 1, "00000000000001");
+        text.replace(text.rfind(x), std::string(x).size(), off);
+    }
+    const std::string uneven = write("uneven.stl", text);
+    for (const std::string& name : {obj, ascii, binary, uneven})
     {
         const convexBody b = convexBody::polyhedron(name, 2);
         EXPECT_EQ(b.vertices().size(), 8u) << name;

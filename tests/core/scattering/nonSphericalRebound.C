@@ -137,6 +137,25 @@ TEST(nonSphericalRebound, sphereOnASmoothWallIsExact)
 }
 
 
+TEST(nonSphericalRebound, withoutRestitutionASphereSlidesAlongAPlane)
+{
+    scatteringSampler::setup s;
+    s.body = convexBody::sphere(32e-6);
+    s.law = reboundLaw::coulomb(0, 0.1);
+    nonSphericalRebound wall(s);
+    for (int i = 0; i < 2000; ++i)
+    {
+        // (2000 searches along the whole wall would take minutes)
+        const vector3 V = arrival(15 + 0.01*i, 200);
+        const wallDeparture d = wall.depart(V, {0, 0, 0}, 10e-6, key(i));
+        EXPECT_NEAR(d.V.x, V.x + 0.1*V.y, 1e-10);
+        EXPECT_NEAR(d.V.y, 0, 1e-10);
+        EXPECT_NEAR(d.omega.z*5e-6, 2.5*0.1*V.y, 1e-9);
+        EXPECT_TRUE(d.capped);
+    }
+}
+
+
 TEST(nonSphericalRebound, scattersAsTheSamplerDoes)
 {
     const vector3 size = {32e-6, 25.6e-6, 25.6e-6};

@@ -5,13 +5,16 @@
 #include "convexBody.H"
 #include "outOfRange.H"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <map>
+#include <numeric>
 #include <sstream>
 #include <stdexcept>
 #include <tuple>
+#include <vector>
 
 namespace
 {
@@ -19,34 +22,68 @@ namespace
 typedef impact::convexBody::surface surface;
 using impact::vector3;
 
-//- Triangles share no vertices in an STL file: join those that coincide
-class vertexJoiner
+//- Make coordinates the same that differ by round-off alone
+void align
+(
+    std::vector<vector3>& points,
+    double vector3::* coordinate
+)
 {
-    surface& surface_;
-    std::map<std::tuple<double, double, double>, int> labels_;
-
-public:
-
-    explicit vertexJoiner(surface& s)
-    :
-        surface_(s)
-    {}
-
-    int label(const vector3& p)
+    std::vector<int> order(points.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort
+    (
+        order.begin(), order.end(),
+        [&](int i, int j)
+        {
+            return points[i].*coordinate < points[j].*coordinate;
+        }
+    );
+    double nearest = 1e-9;
+    if (!order.empty())
     {
+        nearest *=
+            points[order.back()].*coordinate
+          - points[order.front()].*coordinate;
+    }
+    for (std::size_t k = 1; k < order.size(); ++k)
+    {
+        const double before = points[order[k - 1]].*coordinate;
+        double& x = points[order[k]].*coordinate;
+        x = x - before <= nearest ? before : x;
+    }
+}
+
+
+//- Triangles share no vertices in an STL file: join those that coincide. Three
+//  vertices to a triangle
+surface joined(std::vector<vector3> vertices)
+{
+    align(vertices, &vector3::x);
+    align(vertices, &vector3::y);
+    align(vertices, &vector3::z);
+    surface s;
+    std::map<std::tuple<double, double, double>, int> labels;
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+    {
+        const vector3& p = vertices[i];
         const auto found =
-            labels_.emplace
+            labels.emplace
             (
-                std::make_tuple(p.x, p.y, p.z),
-                int(surface_.points.size())
+                std::make_tuple(p.x, p.y, p.z), int(s.points.size())
             );
         if (found.second)
         {
-            surface_.points.push_back(p);
+            s.points.push_back(p);
         }
-        return found.first->second;
+        if (i % 3 == 0)
+        {
+            s.faces.emplace_back();
+        }
+        s.faces.back().push_back(found.first->second);
     }
-};
+    return s;
+}
 
 
 [[noreturn]] void fail(const std::string& fileName, const std::string& why)
@@ -101,8 +138,7 @@ surface readObj(const std::string& fileName, const std::string& text)
 
 surface readStl(const std::string& fileName, const std::string& text)
 {
-    surface s;
-    vertexJoiner joiner(s);
+    std::vector<vector3> vertices;
 
     // A binary file is recognised by its length: some begin with "solid" too
     std::uint32_t n = 0;
@@ -116,21 +152,16 @@ surface readStl(const std::string& fileName, const std::string& text)
         {
             float xyz[9];
             std::memcpy(xyz, text.data() + 84 + 50*i + 12, sizeof(xyz));
-            std::vector<int> face;
             for (int k = 0; k < 3; ++k)
             {
-                face.push_back
-                (
-                    joiner.label({xyz[3*k], xyz[3*k + 1], xyz[3*k + 2]})
-                );
+                vertices.push_back({xyz[3*k], xyz[3*k + 1], xyz[3*k + 2]});
             }
-            s.faces.push_back(face);
         }
-        return s;
+        return joined(vertices);
     }
 
     std::istringstream words(text);
-    std::vector<int> face;
+    int corners = 0;
     for (std::string word; words >> word;)
     {
         if (word == "vertex")
@@ -140,19 +171,20 @@ surface readStl(const std::string& fileName, const std::string& text)
             {
                 fail(fileName, "a vertex without three numbers");
             }
-            face.push_back(joiner.label(p));
+            vertices.push_back(p);
+            ++corners;
         }
         else if (word == "endloop")
         {
-            if (face.size() != 3)
+            if (corners != 3)
             {
                 fail(fileName, "a facet that is not a triangle");
             }
-            s.faces.push_back(face);
-            face.clear();
+            corners = 0;
         }
     }
-    return s;
+    vertices.resize(vertices.size() - corners);
+    return joined(vertices);
 }
 
 } // End anonymous namespace
