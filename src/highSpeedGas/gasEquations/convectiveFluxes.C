@@ -26,12 +26,18 @@ inline double smoothStep(const double x)
 }
 
 
+//- Rise of pressure from cell to cell, in parts of itself, from which on a
+//  shock is a strong one
+constexpr double strongRise = 0.5;
+
+
 //- Share 0..1 of a face in a shock, by how much the pressure rises along the
 //  flow within the distance delta between two cells, in parts of itself: 0 up
 //  to least, 1 from least + 0.1 on.
 //  \param restSqr  square of a speed [m^2/s^2] of gas that is nearly at rest
 //  \param flatFrom  rise of pressure from which on cells are taken to be uniform
 //  \param flat  share 0..1 in which they are: 1 from twice that rise on
+//  \param strong  likewise, from strongRise on
 template<int nDim>
 inline double shareInShock
 (
@@ -43,7 +49,8 @@ inline double shareInShock
     const double least,
     const double restSqr,
     const double flatFrom,
-    double& flat
+    double& flat,
+    double& strong
 )
 {
     double gg[2] = {0, 0};
@@ -65,6 +72,7 @@ inline double shareInShock
 
     double share = 0;
     flat = 0;
+    strong = 0;
     for (int side = 0; side < 2; side++)
     {
         const double low = min(owner[0], far[0]);
@@ -78,13 +86,15 @@ inline double shareInShock
                 min(10*(jump - least), 1.0)*min(10*along, 1.0);
             share = max(share, smoothStep(x));
 
-            flat = max
-            (
-                flat,
-                jump < 2*flatFrom
-              ? smoothStep(max(jump/flatFrom - 1, 0.0))
-              : 1.0
-            );
+            const auto beyond = [&](const double rise)
+            {
+                return
+                    jump < 2*rise
+                  ? smoothStep(max(jump/rise - 1, 0.0))
+                  : 1.0;
+            };
+            flat = max(flat, beyond(flatFrom));
+            strong = max(strong, share*beyond(strongRise));
         }
     }
     return share;
@@ -214,7 +224,7 @@ void Foam::gasEquations::readFaces
     faceRows& rows,
     faceBlock& block,
     faceState& state
-) const
+)
 {
     constexpr int nVar = nDim + 2;
     const double* q = primitive.data();
@@ -284,15 +294,23 @@ void Foam::gasEquations::readFaces
             }
         }
         block.weight[i] = geometry_.evenWeight[f];
+        double strong = 0;
         state.shock[i] =
             sensesShocks_ || flatFrom_ < GREAT
           ? shareInShock<nDim>
             (
                 qo, qr, g + o*(nVar*nDim), g + r*(nVar*nDim),
                 &geometry_.delta[f*nDim], leastRise, 1e-4*eos_.R*qo[1],
-                flatFrom_, state.flat[i]
+                flatFrom_, state.flat[i], strong
             )
           : 0;
+        if (surroundings_.used())
+        {
+            state.shock[i] = max
+            (
+                state.shock[i], surroundings_.ofFace(o, r, strong)
+            );
+        }
         state.shocked = state.shocked || state.shock[i] > 0;
         state.invalid[i] = anyInvalid_ && (invalid_[o] || invalid_[r]);
         state.anyInvalid = state.anyInvalid || state.invalid[i] > 0;
@@ -461,6 +479,10 @@ void Foam::gasEquations::innerFluxes()
                 patch.symmetry
             );
         }
+    }
+    if (surroundings_.used())
+    {
+        geometry_.exchange(surroundings_.advance(), 1);
     }
 }
 

@@ -588,6 +588,22 @@ void Foam::gasEquations::calm()
 }
 
 
+void Foam::gasEquations::surroundShocks()
+{
+    if (!sensesShocks_)
+    {
+        return;
+    }
+    robustFlux_ =
+        selectFlux("Kurganov", geometry_.nDim(), eos_.thermallyPerfect());
+    surroundings_.use(geometry_.nSlots());
+    for (int i = 0; i < shockSurroundings::reach; i++)
+    {
+        computeRate();
+    }
+}
+
+
 void Foam::gasEquations::computeRate()
 {
     if (source_.empty())

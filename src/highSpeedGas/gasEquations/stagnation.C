@@ -103,7 +103,7 @@ void Foam::gasEquations::reportStagnation() const
     // (a captured shock may overshoot by some per cent)
     const bool expands = largest > sqr(1.05*streamMach);
     const scalar lost = nCells ? 1 - total/(volume*pitot) : 0;
-    if (!expands && lost > 0.03)
+    if (!expands && lost > 0.02)
     {
         WarningInFunction
             << "In " << nCells << " cells around " << place/volume

@@ -308,6 +308,11 @@ bool Foam::steadySolution::solve(const bool near)
     // alone.
     const bool flat = !equations_.sticks();
     equations_.flattenShocks(flat);
+    if (!flat)
+    {
+        // Whose stripes of entropy would decide on the heat flux
+        equations_.surroundShocks();
+    }
 
     // Small differences between cells pass the limiter: at a stagnation point
     // pressure and velocity are level on one side of a cell. Those within a
