@@ -117,6 +117,11 @@ subModels
 def cloud_text(wall, *others):
     """Properties of a cloud, of annotated parts that suit gas_case."""
     text = BASE.replace("WALL", annotated(wall))
+    if "surfaceImpact" in others:       # which asks for the heat of impacts
+        text = change(
+            text, (r"maxCo 0.5;", "maxCo 0.5; motion embeddedRK54;"
+                   " heatTransfer on;"),
+            (r"rho0 2500;", "rho0 2500; T0 300; Cp0 800;"))
     for name in others:
         text += annotated(name)
     for old, new in (

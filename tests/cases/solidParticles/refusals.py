@@ -138,16 +138,17 @@ EDITS = [   # name, change, texts that the message must hold
 
 status, text = run(copy_case("good", "unchanged"), "dsmcParcelFoam")
 verdict("good_runs", status == 0
-        and "cells are smaller" not in text, complaint(text))
+        and "of 8 cells are less" not in text, complaint(text))
 
 case = copy_case("good", "large")
 edit(case, PROPERTIES, "(3e-06 6e-06)", "(3e-06 0.06)")
 status, text = run(case, "dsmcParcelFoam")
 
 # Once when it happens, and once in the summary at the end
-verdict("large_warnsOnce", status == 0 and text.count("cells are smaller") == 2
+verdict("large_warnsOnce", status == 0
+        and text.count("of 8 cells are less") == 2
         and "    1 x The largest particles" in text
-        and "0.06 m. 8 of 8 cells are smaller" in text and "0.05 m" in text,
+        and "0.06 m. 8 of 8 cells are less" in text and "0.05 m" in text,
         complaint(text))
 
 # The annotated dictionary, on patches with the names that it has; then with
