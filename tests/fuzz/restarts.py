@@ -111,8 +111,6 @@ for build, ranks in ((dust, 1), (dust, 2), (molecules, 1), (molecules, 2)):
     files = listed(mark)
     if TESTS and build is molecules:
         files = files[::3]      # of species much alike
-    if TESTS and ranks > 1:
-        files = files[::3]      # each is read by the same class as on one
     n, bad = 0, []
     for k, name in enumerate(files):
         # A test takes one damage of each file, in turn

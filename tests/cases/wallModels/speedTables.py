@@ -71,7 +71,7 @@ def differences(a, b, table_rows):
 
 
 def check_between_speeds():
-    n, rows = 40000, 20000
+    n, rows = 40000, 40000
     file = write_table("fine", f"tableSpeeds 9; tableSamples {rows};")
     with open(file) as text:
         head = [line for line in text if line.startswith("#")]
