@@ -26,18 +26,14 @@ inline double smoothStep(const double x)
 }
 
 
-//- Rise of pressure from cell to cell, in parts of itself, from which on a
-//  shock is a strong one
-constexpr double strongRise = 0.5;
-
-
 //- Share 0..1 of a face in a shock, by how much the pressure rises along the
 //  flow within the distance delta between two cells, in parts of itself: 0 up
 //  to least, 1 from least + 0.1 on.
 //  \param restSqr  square of a speed [m^2/s^2] of gas that is nearly at rest
-//  \param flatFrom  rise of pressure from which on cells are taken to be uniform
+//  \param flatFrom  rise of pressure from which on cells are uniform
 //  \param flat  share 0..1 in which they are: 1 from twice that rise on
-//  \param strong  likewise, from strongRise on
+//  \param strongFrom  rise of pressure from which on the shock is strong
+//  \param strong  share 0..1 of the face in a strong one
 template<int nDim>
 inline double shareInShock
 (
@@ -50,6 +46,7 @@ inline double shareInShock
     const double restSqr,
     const double flatFrom,
     double& flat,
+    const double strongFrom,
     double& strong
 )
 {
@@ -84,7 +81,8 @@ inline double shareInShock
                 ug[side]/std::sqrt(max(uu[side], restSqr)*gg[side]);
             const double x =
                 min(10*(jump - least), 1.0)*min(10*along, 1.0);
-            share = max(share, smoothStep(x));
+            const double inShock = smoothStep(x);
+            share = max(share, inShock);
 
             const auto beyond = [&](const double rise)
             {
@@ -94,7 +92,7 @@ inline double shareInShock
                   : 1.0;
             };
             flat = max(flat, beyond(flatFrom));
-            strong = max(strong, share*beyond(strongRise));
+            strong = max(strong, inShock*beyond(strongFrom));
         }
     }
     return share;
@@ -224,7 +222,7 @@ void Foam::gasEquations::readFaces
     faceRows& rows,
     faceBlock& block,
     faceState& state
-)
+) const
 {
     constexpr int nVar = nDim + 2;
     const double* q = primitive.data();
@@ -294,23 +292,16 @@ void Foam::gasEquations::readFaces
             }
         }
         block.weight[i] = geometry_.evenWeight[f];
-        double strong = 0;
+        state.strong[i] = 0;
         state.shock[i] =
             sensesShocks_ || flatFrom_ < GREAT
           ? shareInShock<nDim>
             (
                 qo, qr, g + o*(nVar*nDim), g + r*(nVar*nDim),
                 &geometry_.delta[f*nDim], leastRise, 1e-4*eos_.R*qo[1],
-                flatFrom_, state.flat[i], strong
+                flatFrom_, state.flat[i], strongRise, state.strong[i]
             )
           : 0;
-        if (surroundings_.used())
-        {
-            state.shock[i] = max
-            (
-                state.shock[i], surroundings_.ofFace(o, r, strong)
-            );
-        }
         state.shocked = state.shocked || state.shock[i] > 0;
         state.invalid[i] = anyInvalid_ && (invalid_[o] || invalid_[r]);
         state.anyInvalid = state.anyInvalid || state.invalid[i] > 0;
@@ -450,6 +441,17 @@ void Foam::gasEquations::innerFluxes()
         {
             const int n = min(label(faceBlock::size), end - first);
             readFaces<nDim>(first, n, rows, block, state);
+            for (int i = 0; i < n && surroundings_.used(); i++)
+            {
+                const double around = surroundings_.ofFace
+                (
+                    geometry_.owner[first + i],
+                    geometry_.far[first + i],
+                    state.strong[i]
+                );
+                state.shock[i] = max(state.shock[i], around);
+                state.shocked = state.shocked || around > 0;
+            }
             fluxesOfFaces<nDim>(n, block, state);
             if (mirrored)
             {

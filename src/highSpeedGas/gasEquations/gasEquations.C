@@ -138,7 +138,7 @@ void Foam::gasEquations::setSchemes(const bool steady)
     // A shock that crosses mesh lines leaves a wake of errors where states
     // within it are not uniform, the more so the stronger it is; a weak one
     // would only be smeared. A steady state has flattenShocks() for this.
-    flatFrom_ = steady || !sensesShocks_ ? GREAT : 0.5;
+    flatFrom_ = steady || !sensesShocks_ ? GREAT : strongRise;
 
     if (!flux_)
     {

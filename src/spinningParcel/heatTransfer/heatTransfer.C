@@ -176,7 +176,7 @@ void Foam::heatTransfer::update()
 
         // Rounded data of a monatomic gas are beyond 5/3 by their last digits
         const scalar monatomic = 5.0/3.0;
-        if (gamma > 1.01*monatomic)
+        if (gamma > 1.002*monatomic)
         {
             FatalIOErrorInFunction(models_)
                 << "heatTransfer on: Cp and molWeight of " << thermoName_
