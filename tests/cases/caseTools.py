@@ -236,12 +236,18 @@ def copy_case(source, case):
     return case
 
 
-def decompose(case, n=(2, 1, 1)):
-    count = int(np.prod(n))
+def decompose(case, n=(2, 1, 1), of_cells=None):
+    """For n ranks in each direction, or with the ranks that cells are given."""
+    count = int(np.prod(n)) if of_cells is None else int(max(of_cells)) + 1
+    method = "simple" if of_cells is None else "manual"
     write_foam(case, "system/decomposeParDict",
-               f"numberOfSubdomains {count};\nmethod simple;\n"
+               f"numberOfSubdomains {count};\nmethod {method};\n"
                f"simpleCoeffs {{ n ({' '.join(map(str, n))}); "
-               "delta 0.001; }")
+               'delta 0.001; }\nmanualCoeffs { dataFile "rankOfCells"; }')
+    if of_cells is not None:
+        write_foam(case, "constant/rankOfCells",
+                   f"{len(of_cells)}\n(\n" + "\n".join(map(str, of_cells))
+                   + "\n)", "labelList")
     must(case, "decomposePar", "-force")
 
 

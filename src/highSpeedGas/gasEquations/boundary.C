@@ -171,6 +171,7 @@ void Foam::gasEquations::setPatches()
     }
 
     geometry_.setLeastSquares(excluded);
+    slipWallShear_.set(geometry_, excluded);
 }
 
 

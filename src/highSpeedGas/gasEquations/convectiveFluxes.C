@@ -116,6 +116,12 @@ void Foam::gasEquations::gradients()
 
     geometry_.exchange(g, nVar_*nDim);
     geometry_.reflectGradients(g);
+    if (passed_ == 0 && slipWallShear_.used())
+    {
+        slipWallShear_.limit<nDim>(g);
+        geometry_.exchange(g, nVar_*nDim);
+        geometry_.reflectGradients(g);
+    }
     if (geometry_.anyUnaligned)
     {
         widenGradients<nDim>();
