@@ -3,7 +3,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "entrySection.H"
-#include "boundBox.H"
 #include "DynamicList.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //

@@ -5,7 +5,6 @@
 #include "IdentifiedInjection.H"
 #include "checked.H"
 #include "cellLocator.H"
-#include "meshTools.H"
 
 #include <cmath>
 

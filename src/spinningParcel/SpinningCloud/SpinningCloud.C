@@ -12,8 +12,6 @@
 #include "wallImpacts.H"
 #include "withheldOutput.H"
 
-#include <stdexcept>
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<class CloudType>
@@ -229,15 +227,6 @@ void Foam::SpinningCloud<CloudType>::checkTemperatures()
         Info<< "Parcels without a temperature, which begin at T0 "
             << heat_->T0() << " K: " << without << endl;
     }
-}
-
-
-// * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * * //
-
-template<class CloudType>
-void Foam::SpinningCloud<CloudType>::cloudReset(SpinningCloud<CloudType>& c)
-{
-    CloudType::cloudReset(c);
 }
 
 
@@ -472,7 +461,7 @@ void Foam::SpinningCloud<CloudType>::storeState()
 template<class CloudType>
 void Foam::SpinningCloud<CloudType>::restoreState()
 {
-    cloudReset(cloudCopyPtr_());
+    this->cloudReset(cloudCopyPtr_());
     cloudCopyPtr_.clear();
 }
 

@@ -93,7 +93,7 @@ void Foam::SpinningParcel<ParcelType>::giveToGas
         n
        *(
             (taken & 0.5*(U0 + this->U_))
-          + momentOfInertia()*((omega_ - omega0) & 0.5*(omega0 + omega_))
+          + this->momentOfInertia()*((omega_ - omega0) & 0.5*(omega0 + omega_))
           + heat
         );
 

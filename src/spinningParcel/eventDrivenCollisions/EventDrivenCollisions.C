@@ -9,7 +9,6 @@
 #include "wedgePolyPatch.H"
 #include "coupledPolyPatch.H"
 #include "cyclicAMIPolyPatch.H"
-#include "meshTools.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 

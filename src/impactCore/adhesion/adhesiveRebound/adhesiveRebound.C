@@ -5,8 +5,6 @@
 #include "adhesiveRebound.H"
 #include "outOfRange.H"
 
-#include <algorithm>
-
 namespace
 {
 

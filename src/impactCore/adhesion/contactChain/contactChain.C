@@ -264,7 +264,7 @@ public:
         maxU2_(rate.curve2.uB()),
         turned1_(false),
         turned2_(false),
-        out_{true, 0, false, 0, 0, 0, 0, true, 0}
+        out_{true, 0, false, 0, 0, 0, true, 0}
     {
         note(step_.begin());
     }
@@ -347,8 +347,6 @@ public:
         out.decided = decided;
         out.maxOverlap1 = rate_.curve1.overlap(maxU1_)*unit1_.length;
         out.maxOverlap2 = rate_.curve2.overlap(maxU2_)*unit2_.length;
-        out.finalOverlap2 =
-            rate_.curve2.overlap(step_.begin()[2])*unit2_.length;
         out.evaluations = evaluations_ + step_.evaluations();
         return out;
     }

@@ -12,7 +12,6 @@ impact::restitutionCurve::restitutionCurve
     unloadingType unloading
 )
 :
-    alpha_(alpha),
     captureRatio_
     (
         jkrMotion(alpha, unloading, 1e-14).captureRatio()

@@ -6,8 +6,6 @@
 #include "outOfRange.H"
 
 #include <complex>
-#include <stdexcept>
-#include <string>
 
 namespace
 {

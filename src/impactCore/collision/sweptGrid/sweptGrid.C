@@ -6,8 +6,6 @@
 #include "outOfRange.H"
 
 #include <cstring>
-#include <limits>
-#include <sstream>
 #include <stdexcept>
 
 namespace

@@ -6,8 +6,6 @@
 #include "bracketedRoot.H"
 #include "outOfRange.H"
 
-#include <cmath>
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 impact::specificHeat::specificHeat

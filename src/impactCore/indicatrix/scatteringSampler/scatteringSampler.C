@@ -9,7 +9,6 @@
 #include "scatteringSampler.H"
 
 #include <algorithm>
-#include <cmath>
 
 namespace
 {

@@ -6,7 +6,6 @@
 #include "csvLine.H"
 #include "outOfRange.H"
 
-#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>

@@ -8,8 +8,6 @@
 #include "sphereState.H"
 
 #include <cmath>
-#include <sstream>
-#include <stdexcept>
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 

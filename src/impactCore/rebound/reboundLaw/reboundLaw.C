@@ -5,9 +5,6 @@
 #include "reboundLaw.H"
 #include "frictionImpact.H"
 
-#include <sstream>
-#include <stdexcept>
-
 namespace
 {
 
