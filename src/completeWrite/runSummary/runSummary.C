@@ -184,12 +184,6 @@ std::string Foam::runSummary::rankTable() const
 // * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
 Foam::runSummary::runSummary()
-:
-    warnings_(),
-    parts_(),
-    times_(),
-    balances_(),
-    tasks_()
 {}
 
 

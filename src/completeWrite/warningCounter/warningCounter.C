@@ -110,11 +110,7 @@ int Foam::warningCounter::sync()
 
 Foam::warningCounter::warningCounter()
 :
-    to_(std::cout.rdbuf()),
-    line_(),
-    open_(false),
-    place_(),
-    kinds_()
+    to_(std::cout.rdbuf())
 {
     std::cout.rdbuf(this);
 }

@@ -16,10 +16,7 @@ Foam::gasProperties::gasProperties
     thermo_(thermo),
     gas_(gas),
     offset_(offset),
-    enthalpy_(thermo.he().name() == "h"),
-    psi_(nullptr),
-    mu_(nullptr),
-    alpha_(nullptr)
+    enthalpy_(thermo.he().name() == "h")
 {
     const tmp<volScalarField> mu(thermo.mu());
     if (transportKnown && isA<psiThermo>(thermo) && !mu.isTmp())

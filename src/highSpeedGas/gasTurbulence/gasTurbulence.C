@@ -20,8 +20,7 @@ Foam::gasTurbulence::gasTurbulence
     eddies_(false),
     U_(U),
     thermo_(thermo),
-    warned_(false),
-    model_(nullptr)
+    warned_(false)
 {
     const fvMesh& mesh = geometry.mesh();
     IOobject io

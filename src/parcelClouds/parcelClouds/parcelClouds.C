@@ -179,13 +179,7 @@ Foam::parcelClouds::parcelClouds
     rho_(rho),
     U_(U),
     thermo_(thermo),
-    mu_(nullptr),
-    g_(readG(mesh)),
-    clouds_(),
-    smoothing_(nullptr),
-    weights_(nullptr),
-    nSteps_(0),
-    setUpTime_(0)
+    g_(readG(mesh))
 {
     const wordList names(readEntries(mesh));
     if (names.empty())

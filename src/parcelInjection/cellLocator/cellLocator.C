@@ -90,7 +90,6 @@ Foam::cellLocator::cellLocator(const polyMesh& mesh)
 :
     MeshObject<polyMesh, GeometricMeshObject, cellLocator>(mesh),
     cells_(identity(mesh.nCells())),
-    boxes_(),
     nodes_(mesh.nCells())
 {
     if (cells_.empty())

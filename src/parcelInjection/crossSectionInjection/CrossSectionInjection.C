@@ -476,11 +476,6 @@ Foam::CrossSectionInjection<CloudType>::CrossSectionInjection
         )
     ),
     prefill_(this->coeffDict().found("prefill")),
-    box_(),
-    nBox_(0),
-    section_(),
-    rate_(0),
-    sequenceRate_(0),
     next_(this->template getModelProperty<label>("next")),
     filled_(this->template getModelProperty<label>("filled"))
 {

@@ -243,11 +243,7 @@ Foam::IdentifiedInjection<CloudType>::IdentifiedInjection
     (
         complete(dict, entries), owner, modelName, modelType
     ),
-    U0_(getComponents(this->coeffDict(), "U0", validRange::velocity)),
-    modelIndex_(0),
-    nModels_(1),
-    parcels_(),
-    current_(-1)
+    U0_(getComponents(this->coeffDict(), "U0", validRange::velocity))
 {
     if (!owner.solution().transient())
     {
@@ -274,21 +270,6 @@ Foam::IdentifiedInjection<CloudType>::IdentifiedInjection
     // The first point search builds data with communication between ranks
     (void)owner.mesh().tetBasePtIs();
 }
-
-
-template<class CloudType>
-Foam::IdentifiedInjection<CloudType>::IdentifiedInjection
-(
-    const IdentifiedInjection<CloudType>& im
-)
-:
-    InjectionModel<CloudType>(im),
-    U0_(im.U0_),
-    modelIndex_(im.modelIndex_),
-    nModels_(im.nModels_),
-    parcels_(),
-    current_(-1)
-{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

@@ -168,7 +168,6 @@ Foam::solidWalls::solidWalls
 )
 :
     cloud_(cloud),
-    models_(),
     modelOf_(cloud.pMesh().boundaryMesh().size(), -1),
     isOpen_(modelOf_.size(), false)
 {

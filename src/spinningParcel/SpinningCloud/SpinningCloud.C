@@ -244,16 +244,7 @@ Foam::SpinningCloud<CloudType>::SpinningCloud
 )
 :
     CloudType(cloudName, rho, U, mu, g, false),
-    cloudCopyPtr_(nullptr),
     rotation_(true),
-    embedded_(nullptr),
-    torque_(nullptr),
-    heat_(nullptr),
-    eddies_(nullptr),
-    gas_(nullptr),
-    halfCurl_(nullptr),
-    halfCurlInterp_(nullptr),
-    halfCurlEvent_(-2),
     ETrans_
     (
         new volScalarField::Internal
@@ -303,9 +294,7 @@ Foam::SpinningCloud<CloudType>::SpinningCloud
 )
 :
     CloudType(c, name),
-    cloudCopyPtr_(nullptr),
     rotation_(c.rotation_),
-    embedded_(nullptr),
     torque_(rotationalTorqueModel::New(c.subModelProperties())),
     heat_
     (
@@ -319,10 +308,6 @@ Foam::SpinningCloud<CloudType>::SpinningCloud
       ? new turbulentDispersion(c.U(), c.subModelProperties())
       : nullptr
     ),
-    gas_(nullptr),
-    halfCurl_(nullptr),
-    halfCurlInterp_(nullptr),
-    halfCurlEvent_(-2),
     ETrans_
     (
         new volScalarField::Internal
@@ -339,8 +324,7 @@ Foam::SpinningCloud<CloudType>::SpinningCloud
             c.ETrans()
         )
     ),
-    counts_(c.counts_),
-    collisions_(nullptr)
+    counts_(c.counts_)
 {
     if (c.embedded_.valid())
     {
@@ -362,17 +346,7 @@ Foam::SpinningCloud<CloudType>::SpinningCloud
 )
 :
     CloudType(mesh, name, c),
-    cloudCopyPtr_(nullptr),
-    rotation_(c.rotation_),
-    embedded_(nullptr),
-    torque_(nullptr),
-    heat_(nullptr),
-    eddies_(nullptr),
-    gas_(nullptr),
-    halfCurl_(nullptr),
-    halfCurlInterp_(nullptr),
-    halfCurlEvent_(-2),
-    ETrans_(nullptr)
+    rotation_(c.rotation_)
 {}
 
 

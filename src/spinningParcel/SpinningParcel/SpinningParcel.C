@@ -39,22 +39,6 @@ Foam::SpinningParcel<ParcelType>::constantProperties::constantProperties
 template<class ParcelType>
 Foam::SpinningParcel<ParcelType>::SpinningParcel
 (
-    const SpinningParcel<ParcelType>& p
-)
-:
-    ParcelType(p),
-    omega_(p.omega_),
-    T_(p.T_),
-    x_(p.x_),
-    convexCell_(p.convexCell_),
-    nImpacts_(p.nImpacts_),
-    nEddies_(p.nEddies_)
-{}
-
-
-template<class ParcelType>
-Foam::SpinningParcel<ParcelType>::SpinningParcel
-(
     const SpinningParcel<ParcelType>& p,
     const polyMesh& mesh
 )

@@ -23,13 +23,7 @@ Foam::SpinningParcel<ParcelType>::SpinningParcel
     bool newFormat
 )
 :
-    ParcelType(mesh, is, readFields, newFormat),
-    omega_(Zero),
-    T_(0),
-    x_{0, 0, 0},
-    convexCell_(-1),
-    nImpacts_(0),
-    nEddies_(0)
+    ParcelType(mesh, is, readFields, newFormat)
 {
     if (readFields)
     {

@@ -15,8 +15,7 @@ Foam::DispersedPhase<CloudType>::DispersedPhase
     const word& modelName
 )
 :
-    CloudFunctionObject<CloudType>(dict, owner, modelName, typeName),
-    fields_()
+    CloudFunctionObject<CloudType>(dict, owner, modelName, typeName)
 {
     if (!owner.solution().transient())
     {
@@ -46,8 +45,7 @@ Foam::DispersedPhase<CloudType>::DispersedPhase
     const DispersedPhase<CloudType>& other
 )
 :
-    CloudFunctionObject<CloudType>(other),
-    fields_()
+    CloudFunctionObject<CloudType>(other)
 {}
 
 

@@ -160,10 +160,7 @@ Foam::dispersedPhaseFields::dispersedPhaseFields
     restart_(cloudName, functionName, mesh, dict),
     window_(dict, functionName, mesh.time(), restart_.found()),
     interval_(getNumber<label>(dict, "interval", validRange::count, 1)),
-    time_(0),
-    dt_(0),
-    sums_(mesh.nCells()*width_, 0.0),
-    fields_()
+    sums_(mesh.nCells()*width_, 0.0)
 {
     if (restart_.found())
     {

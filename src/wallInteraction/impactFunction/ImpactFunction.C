@@ -33,9 +33,7 @@ Foam::ImpactFunction<CloudType, Recorder>::ImpactFunction
 )
 :
     CloudFunctionObject<CloudType>(dict, owner, modelName, type),
-    patches_(impactPatches::read(this->coeffDict(), modelName, owner.mesh())),
-    recorder_(),
-    published_(nullptr)
+    patches_(impactPatches::read(this->coeffDict(), modelName, owner.mesh()))
 {
     if (!owner.solution().transient())
     {
@@ -63,14 +61,7 @@ Foam::ImpactFunction<CloudType, Recorder>::ImpactFunction
 )
 :
     CloudFunctionObject<CloudType>(other),
-    patches_(other.patches_),
-    recorder_(),
-    published_(nullptr)
-{}
-
-
-template<class CloudType, class Recorder>
-Foam::ImpactFunction<CloudType, Recorder>::~ImpactFunction()
+    patches_(other.patches_)
 {}
 
 

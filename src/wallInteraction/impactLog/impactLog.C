@@ -56,9 +56,7 @@ Foam::impactLog::impactLog
 )
 :
     time_(time),
-    patchNames_(patchNames),
-    records_(),
-    file_(nullptr)
+    patchNames_(patchNames)
 {
     if (Pstream::master())
     {

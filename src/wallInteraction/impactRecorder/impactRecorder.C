@@ -15,7 +15,6 @@ Foam::impactRecorder::impactRecorder
 :
     time_(mesh.time()),
     restart_(cloudName, functionName, mesh),
-    firsts_(),
     log_(cloudName, functionName, mesh.time(), mesh.boundaryMesh().names())
 {
     if (restart_.found())

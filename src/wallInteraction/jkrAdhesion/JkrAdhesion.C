@@ -166,7 +166,6 @@ Foam::JkrAdhesion<CloudType>::JkrAdhesion
         },
         {"seed", "sizeClasses"}
     ),
-    walls_(),
     wallOf_(this->patches().size(), -1),
     layer_
     (

@@ -4,29 +4,6 @@
 
 #include "NonSphericalWallModel.H"
 
-// * * * * * * * * * * * * * * * Local Class * * * * * * * * * * * * * * * * //
-
-template<class CloudType>
-Foam::NonSphericalWallModel<CloudType>::wallData::wallData
-(
-    const wallData& other
-)
-:
-    direct
-    (
-        other.direct
-      ? new impact::nonSphericalRebound(*other.direct) : nullptr
-    ),
-    table(other.table),
-    lay(other.lay),
-    layDirection(other.layDirection),
-    firstImpact(other.firstImpact),
-    sized(other.sized),
-    diameterTolerance(other.diameterTolerance),
-    maxImpacts(other.maxImpacts)
-{}
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<class CloudType>
@@ -210,7 +187,7 @@ Foam::NonSphericalWallModel<CloudType>::readWall
             dict,
             [&]
             {
-                wall.direct.reset(new impact::nonSphericalRebound(setup));
+                wall.direct.emplace(setup);
                 return true;
             }
         );
@@ -285,7 +262,6 @@ Foam::NonSphericalWallModel<CloudType>::NonSphericalWallModel
         },
         {"seed"}
     ),
-    walls_(),
     wallOf_(this->patches().size(), -1),
     keys_(scatteringEntries::getSeed(this->coeffDict()))
 {

@@ -378,24 +378,6 @@ Foam::ParcelWallModel<CloudType>::ParcelWallModel
 }
 
 
-template<class CloudType>
-Foam::ParcelWallModel<CloudType>::ParcelWallModel
-(
-    const ParcelWallModel<CloudType>& other
-)
-:
-    PatchInteractionModel<CloudType>(other),
-    nested_(other.nested_),
-    patches_(other.patches_),
-    fates_(other.fates_),
-    counters_(other.counters_),
-    impacts_(other.impacts_),
-    spins_(other.spins_),
-    reduced_(other.reduced_),
-    keepSpeed_(other.keepSpeed_)
-{}
-
-
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<class CloudType>

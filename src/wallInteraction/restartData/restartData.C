@@ -36,11 +36,7 @@ Foam::restartData::restartData
         )
     ),
     cloudName_(cloudName),
-    mesh_(mesh),
-    found_(false),
-    timeIndex_(-1),
-    labels_(),
-    scalars_()
+    mesh_(mesh)
 {
     const bool here = headerOk();
     Istream& is = readStream(typeName, here);

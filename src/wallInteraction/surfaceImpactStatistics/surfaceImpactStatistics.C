@@ -375,31 +375,9 @@ Foam::surfaceImpactStatistics::surfaceImpactStatistics
     cloudName_(cloudName),
     functionName_(functionName),
     mesh_(mesh),
-    patches_(),
-    firstFace_(),
-    patchItem_(),
     threshold_(getNumber(dict, "threshold", "[0, 3e8) m/s", scalar(1))),
-    angle_(),
-    round_(),
-    erosion_(),
-    heat_(false),
-    wallTemperature_(0),
-    nearestBin_(),
-    areas_(),
-    results_(),
-    nQuantities_(0),
-    bins_(),
-    faces_(),
     restart_(cloudName, functionName, mesh, dict),
-    window_(dict, functionName, mesh.time(), restart_.found()),
-    averaging_(false),
-    firsts_(),
-    pending_(),
-    log_(),
-    stop_(),
-    stopped_(false),
-    nSlow_(0),
-    fields_()
+    window_(dict, functionName, mesh.time(), restart_.found())
 {
     const label blocks = getNumber<label>(dict, "blocks", "[10, 1000]", 10);
 
@@ -449,10 +427,6 @@ Foam::surfaceImpactStatistics::surfaceImpactStatistics
         );
     }
 }
-
-
-Foam::surfaceImpactStatistics::~surfaceImpactStatistics()
-{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

@@ -71,9 +71,7 @@ scalarList readTotals(const dictionary& stored, const word& entry)
 
 Foam::wallCounters::wallCounters(const IOobject& io)
 :
-    regIOobject(io),
-    patches_(),
-    nReleased_(0)
+    regIOobject(io)
 {}
 
 

@@ -12,10 +12,7 @@ namespace Foam
 
 Foam::wallImpacts::wallImpacts(const IOobject& io)
 :
-    regIOobject(io),
-    listeners_(),
-    published_(),
-    material_(nullptr)
+    regIOobject(io)
 {}
 
 

@@ -59,10 +59,6 @@ Foam::wallLayer::wallLayer
     firstFace_(mesh.boundaryMesh().size()),
     areas_(mesh.nBoundaryFaces()),
     state_(bounds, mesh.nBoundaryFaces()),
-    events_(),
-    releases_(),
-    nReleased_(0),
-    settledStep_(-1),
     freedNumber_(mesh.boundaryMesh().size(), Zero),
     freedMass_(mesh.boundaryMesh().size(), Zero)
 {

@@ -60,8 +60,6 @@ Foam::wallPatches::wallPatches
     bool complete
 )
 :
-    names_(),
-    settings_(),
     ofPatch_(boundary.nNonProcessor(), -1)
 {
     // Processor patches differ from rank to rank and are no walls

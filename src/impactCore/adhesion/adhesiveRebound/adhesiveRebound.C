@@ -35,7 +35,6 @@ impact::adhesiveRebound::adhesiveRebound
     wall_(wall),
     curve_(curve),
     friction_(friction),
-    layer_(),
     perSpeedScale_(0)
 {
     check(wall);

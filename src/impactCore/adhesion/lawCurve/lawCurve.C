@@ -134,11 +134,7 @@ impact::lawCurve::lawCurve
 :
     coeffs_(law.coeffs()),
     high_(law.high()),
-    highSpeed_(infinity),
-    captureRatio_(0),
-    nodes_(),
-    table_(nullptr),
-    constant_()
+    highSpeed_(infinity)
 {
     if (law.isConstant())
     {

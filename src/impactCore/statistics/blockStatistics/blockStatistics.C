@@ -80,9 +80,7 @@ blockStatistics::blockStatistics
     length_(0),
     openTime_(0),
     open_(nItems*nQuantities, 0.0),
-    settled_(nItems*nQuantities, 0.0),
-    blocks_(),
-    times_()
+    settled_(nItems*nQuantities, 0.0)
 {
     if (nQuantities == 0)
     {

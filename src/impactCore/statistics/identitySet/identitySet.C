@@ -23,9 +23,6 @@ std::uint64_t identitySet::key(std::int32_t processor, std::int64_t number)
 
 
 identitySet::identitySet()
-:
-    pages_(),
-    size_(0)
 {}
 
 
