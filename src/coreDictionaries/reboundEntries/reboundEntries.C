@@ -232,13 +232,11 @@ impact::hardSphereWall Foam::reboundEntries::hardSphere
             "restitutionSpeed"
         }
     );
-    const impact::reboundCoefficient friction
-    (
-        coefficient(dict, law::frictionQuantity())
-    );
+    typedef impact::reboundCoefficient form;
+    const form friction(coefficient(dict, form::frictionQuantity()));
     if (model == "constant")
     {
-        return law(coefficient(dict, law::restitutionQuantity()), friction);
+        return law(coefficient(dict, form::restitutionQuantity()), friction);
     }
     const scalar restitution =
         getNumber(dict, "restitution", validRange::share);
@@ -251,9 +249,9 @@ impact::hardSphereWall Foam::reboundEntries::hardSphere
         {
             return law
             (
-                impact::reboundCoefficient::McNamaraFalcon
+                form::McNamaraFalcon
                 (
-                    law::restitutionQuantity(), restitution, speed
+                    form::restitutionQuantity(), restitution, speed
                 ),
                 friction
             );

@@ -188,6 +188,7 @@ impact::reboundLaw readLaw(const dictionary& dict)
       : wordList{"type", "restitution", "friction"}
     );
     typedef reboundEntries entries;
+    typedef impact::reboundCoefficient form;
     return type == "restitution"
       ? law::restitution
         (
@@ -196,8 +197,8 @@ impact::reboundLaw readLaw(const dictionary& dict)
         )
       : law::coulomb
         (
-            entries::coefficient(dict, law::restitutionQuantity(), 0.8),
-            entries::coefficient(dict, law::frictionQuantity(), 0.3)
+            entries::coefficient(dict, form::restitutionQuantity(), 0.8),
+            entries::coefficient(dict, form::frictionQuantity(), 0.3)
         );
 }
 

@@ -5,6 +5,7 @@
 #include "IdentifiedInjection.H"
 #include "checked.H"
 #include "cellLocator.H"
+#include "stockCloudEntries.H"
 
 #include <cmath>
 
@@ -245,13 +246,7 @@ Foam::IdentifiedInjection<CloudType>::IdentifiedInjection
     ),
     U0_(getComponents(this->coeffDict(), "U0", validRange::velocity))
 {
-    if (!owner.solution().transient())
-    {
-        refuse
-        (
-            owner.solution().dict(), "transient", "no", "yes, for ", modelType
-        );
-    }
+    stockCloudEntries::refuseSteady(owner, modelType);
 
     checkNumber
     (

@@ -330,22 +330,9 @@ Foam::label Foam::convexCells::locate
     const impact::vector3& x
 ) const
 {
-    label best = firstCell_[meshCelli];
-    if (firstCell_[meshCelli + 1] == best + 1)
-    {
-        return best;
-    }
-    scalar minHeight = GREAT;
-    for (label i = best; i < firstCell_[meshCelli + 1]; ++i)
-    {
-        const scalar h = height(i, x);
-        if (h < minHeight)
-        {
-            minHeight = h;
-            best = i;
-        }
-    }
-    return best;
+    const label first = firstCell_[meshCelli];
+    const label n = firstCell_[meshCelli + 1] - first;
+    return n == 1 ? first : lowest(labelRange(first, n), x);
 }
 
 
@@ -356,19 +343,5 @@ Foam::label Foam::convexCells::inside
 ) const
 {
     const labelList& cells = boundaryCells_[facei];
-    label best = cells[0];
-    if (cells.size() > 1)
-    {
-        scalar minHeight = GREAT;
-        for (const label celli : cells)
-        {
-            const scalar h = height(celli, x);
-            if (h < minHeight)
-            {
-                minHeight = h;
-                best = celli;
-            }
-        }
-    }
-    return best;
+    return cells.size() > 1 ? lowest(cells, x) : cells[0];
 }

@@ -4,7 +4,7 @@
 
 #include "solidInterface.H"
 #include "checked.H"
-#include "IOdictionary.H"
+#include "exactSums.H"
 #include "OSspecific.H"
 #include "Time.H"
 #include "wordRes.H"
@@ -32,16 +32,7 @@ void Foam::solidInterface::restore()
 {
     const IOdictionary state
     (
-        IOobject
-        (
-            interfaceState,
-            mesh_.time().timeName(),
-            "uniform",
-            mesh_,
-            IOobject::READ_IF_PRESENT,
-            IOobject::NO_WRITE,
-            false
-        )
+        exactSums::state(mesh_, interfaceState, IOobject::READ_IF_PRESENT)
     );
     if (!state.found("duration"))
     {
@@ -206,19 +197,7 @@ void Foam::solidInterface::write() const
           + mesh_.time().timeName() + " s"
         );
     }
-    IOdictionary state
-    (
-        IOobject
-        (
-            interfaceState,
-            mesh_.time().timeName(),
-            "uniform",
-            mesh_,
-            IOobject::NO_READ,
-            IOobject::NO_WRITE,
-            false
-        )
-    );
+    IOdictionary state(exactSums::state(mesh_, interfaceState));
     state.add("duration", duration_);
     state.regIOobject::write();
 }

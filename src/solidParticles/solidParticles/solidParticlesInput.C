@@ -358,16 +358,7 @@ void Foam::solidParticles::readTallies()
 {
     IOdictionary state
     (
-        IOobject
-        (
-            stateName,
-            mesh_.time().timeName(),
-            "uniform",
-            mesh_,
-            IOobject::READ_IF_PRESENT,
-            IOobject::NO_WRITE,
-            false
-        )
+        exactSums::state(mesh_, stateName, IOobject::READ_IF_PRESENT)
     );
     if (!state.found("initial"))
     {

@@ -173,19 +173,7 @@ void Foam::solidParticles::writeLedger() const
 
 void Foam::solidParticles::writeTallies() const
 {
-    IOdictionary state
-    (
-        IOobject
-        (
-            stateName,
-            mesh_.time().timeName(),
-            "uniform",
-            mesh_,
-            IOobject::NO_READ,
-            IOobject::NO_WRITE,
-            false
-        )
-    );
+    IOdictionary state(exactSums::state(mesh_, stateName));
     const auto sums = [](tally t)
     {
         dictionary d;

@@ -312,16 +312,10 @@ void Foam::SpinningCloud<CloudType>::writeFields() const
     parcelType::writeFields(*this);
     if (eddies_.valid())
     {
-        IOField<label> number
+        parcelType::writeField
         (
-            this->fieldIOobject(eddyNumber, IOobject::NO_READ), this->size()
+            *this, eddyNumber, [](const parcelType& p) { return p.nEddies(); }
         );
-        label i = 0;
-        for (const parcelType& p : *this)
-        {
-            number[i++] = p.nEddies();
-        }
-        number.write(this->size() > 0);
     }
     if (!embedded_.valid() || watched_)
     {
@@ -338,26 +332,14 @@ void Foam::SpinningCloud<CloudType>::writeFields() const
     {
         return;
     }
-    const label n = this->size();
-    {
-        IOField<vector> x
-        (
-            this->fieldIOobject(exactPosition, IOobject::NO_READ), n
-        );
-        label i = 0;
-        for (const parcelType& p : *this)
-        {
-            x[i++] = p.position();
-        }
-        x.write(n > 0);
-    }
-    IOField<label> cell(this->fieldIOobject(convexCell, IOobject::NO_READ), n);
-    label i = 0;
-    for (const parcelType& p : *this)
-    {
-        cell[i++] = p.inFlight().cell;
-    }
-    cell.write(n > 0);
+    parcelType::writeField
+    (
+        *this, exactPosition, [](const parcelType& p) { return p.position(); }
+    );
+    parcelType::writeField
+    (
+        *this, convexCell, [](const parcelType& p) { return p.inFlight().cell; }
+    );
 }
 
 

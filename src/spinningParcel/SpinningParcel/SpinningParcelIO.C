@@ -152,6 +152,29 @@ void Foam::SpinningParcel<ParcelType>::readFields(CloudType& c)
 
 
 template<class ParcelType>
+template<class CloudType, class Value>
+void Foam::SpinningParcel<ParcelType>::writeField
+(
+    const CloudType& c,
+    const word& name,
+    const Value& value
+)
+{
+    typedef SpinningParcel<ParcelType> parcel;
+    IOField<std::decay_t<decltype(value(std::declval<const parcel&>()))>> field
+    (
+        c.fieldIOobject(name, IOobject::NO_READ), c.size()
+    );
+    label i = 0;
+    for (const parcel& p : c)
+    {
+        field[i++] = value(p);
+    }
+    field.write(c.size() > 0);
+}
+
+
+template<class ParcelType>
 template<class CloudType>
 void Foam::SpinningParcel<ParcelType>::writeFields(const CloudType& c)
 {
@@ -160,18 +183,7 @@ void Foam::SpinningParcel<ParcelType>::writeFields(const CloudType& c)
     typedef SpinningParcel<ParcelType> parcel;
     const auto write = [&](const word& name, const auto& value)
     {
-        typedef std::decay_t<decltype(value(std::declval<const parcel&>()))>
-            Type;
-        IOField<Type> field
-        (
-            c.fieldIOobject(name, IOobject::NO_READ), c.size()
-        );
-        label i = 0;
-        for (const parcel& p : c)
-        {
-            field[i++] = value(p);
-        }
-        field.write(c.size() > 0);
+        writeField(c, name, value);
     };
     write("active", [](const parcel& p) { return label(p.active()); });
     visitFields(write);

@@ -6,6 +6,13 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "basicSpinningCloud.H"
+#include "Cloud.H"
 #include "kinematicParcelCloud.H"
+
+namespace Foam
+{
+    defineTemplateTypeNameAndDebug(basicSpinningParcel, 0);
+    defineTemplateTypeNameAndDebug(Cloud<basicSpinningParcel>, 0);
+}
 
 makeKinematicParcelCloud(spinningKinematicCloud);

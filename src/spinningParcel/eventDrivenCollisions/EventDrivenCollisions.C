@@ -202,16 +202,16 @@ Foam::EventDrivenCollisions<CloudType>::EventDrivenCollisions
             dict,
             [&]
             {
-                typedef impact::pairLaw law;
-                return law
+                typedef impact::reboundCoefficient coefficient;
+                return impact::pairLaw
                 (
                     reboundEntries::coefficient
                     (
-                        dict, law::restitutionQuantity(), scalar(0.9)
+                        dict, coefficient::restitutionQuantity(), scalar(0.9)
                     ),
                     reboundEntries::coefficient
                     (
-                        dict, law::frictionQuantity(), scalar(0.2)
+                        dict, coefficient::frictionQuantity(), scalar(0.2)
                     ),
                     cloud.rotation(),
                     getNumber
@@ -226,7 +226,7 @@ Foam::EventDrivenCollisions<CloudType>::EventDrivenCollisions
     (
         impact::reboundCoefficient::constant
         (
-            impact::pairLaw::restitutionQuantity(), 0
+            impact::reboundCoefficient::restitutionQuantity(), 0
         ),
         law_.friction(), law_.spin(), law_.tangentialRestitution()
     ),

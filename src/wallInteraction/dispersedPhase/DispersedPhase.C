@@ -3,7 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "DispersedPhase.H"
-#include "checked.H"
+#include "stockCloudEntries.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -17,13 +17,7 @@ Foam::DispersedPhase<CloudType>::DispersedPhase
 :
     CloudFunctionObject<CloudType>(dict, owner, modelName, typeName)
 {
-    if (!owner.solution().transient())
-    {
-        refuse
-        (
-            owner.solution().dict(), "transient", "no", "yes, for ", typeName
-        );
-    }
+    stockCloudEntries::refuseSteady(owner, typeName);
     refuseOthers(this->coeffDict(), {"type", "window", "interval", "restart"});
     fields_.reset
     (

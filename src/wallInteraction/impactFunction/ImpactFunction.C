@@ -8,6 +8,7 @@
 #include "impactPatches.H"
 #include "impactTime.H"
 #include "parcelHeat.H"
+#include "stockCloudEntries.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -35,10 +36,7 @@ Foam::ImpactFunction<CloudType, Recorder>::ImpactFunction
     CloudFunctionObject<CloudType>(dict, owner, modelName, type),
     patches_(impactPatches::read(this->coeffDict(), modelName, owner.mesh()))
 {
-    if (!owner.solution().transient())
-    {
-        refuse(owner.solution().dict(), "transient", "no", "yes, for ", type);
-    }
+    stockCloudEntries::refuseSteady(owner, type);
     refuseOthers(this->coeffDict(), Recorder::entries());
     recorder_.reset
     (

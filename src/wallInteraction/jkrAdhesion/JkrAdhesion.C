@@ -6,6 +6,7 @@
 #include "writtenState.H"
 #include "counterRandom.H"
 #include "scatteringEntries.H"
+#include "stockCloudEntries.H"
 #include "withheldOutput.H"
 
 namespace Foam
@@ -190,13 +191,7 @@ Foam::JkrAdhesion<CloudType>::JkrAdhesion
     ),
     keys_(scatteringEntries::getSeed(this->coeffDict()))
 {
-    if (!owner.solution().transient())
-    {
-        refuse
-        (
-            owner.solution().dict(), "transient", "no", "yes, for ", typeName
-        );
-    }
+    stockCloudEntries::refuseSteady(owner, typeName);
     const fileName casePath(owner.db().time().globalPath());
     forAll(wallOf_, i)
     {

@@ -400,10 +400,10 @@ TEST(pairLaw, takesItsCoefficientsAtTheContact)
         const bool spin = i % 2;
         const pairLaw law
         (
-            form::McNamaraFalcon(pairLaw::restitutionQuantity(), 0.6, 1.5),
+            form::McNamaraFalcon(form::restitutionQuantity(), 0.6, 1.5),
             form::table
             (
-                pairLaw::frictionQuantity(), {10, 80}, {0.5, 4},
+                form::frictionQuantity(), {10, 80}, {0.5, 4},
                 {0.1, 0.2, 0.4, 0.6}
             ),
             spin

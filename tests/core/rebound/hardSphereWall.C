@@ -209,12 +209,12 @@ TEST(hardSphereWall, takesItsCoefficientsAtTheContact)
     (
         form::table
         (
-            hardSphereWall::restitutionQuantity(), angles, speeds,
+            form::restitutionQuantity(), angles, speeds,
             {1, 0.9, 0.8, 0.6, 0.5, 0.2}
         ),
         form::polynomial
         (
-            hardSphereWall::frictionQuantity(), {{0.4}, {-0.2}}, 10, 80, 0, 0
+            form::frictionQuantity(), {{0.4}, {-0.2}}, 10, 80, 0, 0
         )
     );
     auto line = [](double x, double x0, double y0, double x1, double y1)

@@ -132,10 +132,10 @@ TEST(reboundLaw, takesItsCoefficientsAtTheContact)
     );
     const reboundLaw rubbing = reboundLaw::coulomb
     (
-        form::McNamaraFalcon(reboundLaw::restitutionQuantity(), 0.6, 20),
+        form::McNamaraFalcon(form::restitutionQuantity(), 0.6, 20),
         form::table
         (
-            reboundLaw::frictionQuantity(), {20, 70}, {0}, {0.4, 0.1}
+            form::frictionQuantity(), {20, 70}, {0}, {0.4, 0.1}
         )
     );
     int outside = 0;

@@ -263,10 +263,10 @@ struct ofSpeed
         scatteringSampler::setup s = rough();
         s.law = reboundLaw::coulomb
         (
-            form::McNamaraFalcon(reboundLaw::restitutionQuantity(), 0.9, 1),
+            form::McNamaraFalcon(form::restitutionQuantity(), 0.9, 1),
             form::polynomial
             (
-                reboundLaw::frictionQuantity(), {{0.05, 0.014}}, 0, 90, 0, 25
+                form::frictionQuantity(), {{0.05, 0.014}}, 0, 90, 0, 25
             )
         );
         return s;

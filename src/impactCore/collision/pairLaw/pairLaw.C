@@ -5,17 +5,7 @@
 #include "pairLaw.H"
 #include "outOfRange.H"
 
-
-impact::reboundCoefficient::quantity impact::pairLaw::restitutionQuantity()
-{
-    return {"restitution", 0, 1, reboundCoefficient::component::normal};
-}
-
-
-impact::reboundCoefficient::quantity impact::pairLaw::frictionQuantity()
-{
-    return {"friction", 0, 1e6};
-}
+typedef impact::reboundCoefficient coefficient;
 
 
 impact::pairLaw::pairLaw
@@ -45,8 +35,8 @@ impact::pairLaw::pairLaw
 :
     pairLaw
     (
-        reboundCoefficient::constant(restitutionQuantity(), restitution),
-        reboundCoefficient::constant({"friction", 0, 1e12}, friction),
+        coefficient::constant(coefficient::restitutionQuantity(), restitution),
+        coefficient::constant({"friction", 0, 1e12}, friction),
         spin,
         tangentialRestitution
     )

@@ -7,18 +7,6 @@
 typedef impact::reboundCoefficient coefficient;
 
 
-coefficient::quantity impact::hardSphereWall::restitutionQuantity()
-{
-    return {"restitution", 0, 1, coefficient::component::normal};
-}
-
-
-coefficient::quantity impact::hardSphereWall::frictionQuantity()
-{
-    return {"friction", 0, 1e6};
-}
-
-
 impact::hardSphereWall::hardSphereWall
 (
     const reboundCoefficient& restitution,
@@ -39,8 +27,8 @@ impact::hardSphereWall impact::hardSphereWall::constant
 {
     return hardSphereWall
     (
-        coefficient::constant(restitutionQuantity(), restitution),
-        coefficient::constant(frictionQuantity(), friction)
+        coefficient::constant(coefficient::restitutionQuantity(), restitution),
+        coefficient::constant(coefficient::frictionQuantity(), friction)
     );
 }
 
@@ -54,7 +42,10 @@ impact::hardSphereWall impact::hardSphereWall::McNamaraFalcon
 {
     return hardSphereWall
     (
-        coefficient::McNamaraFalcon(restitutionQuantity(), restitution, speed),
-        coefficient::constant(frictionQuantity(), friction)
+        coefficient::McNamaraFalcon
+        (
+            coefficient::restitutionQuantity(), restitution, speed
+        ),
+        coefficient::constant(coefficient::frictionQuantity(), friction)
     );
 }

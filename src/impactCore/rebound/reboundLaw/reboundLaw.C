@@ -49,18 +49,6 @@ impact::reboundCoefficient::quantity impact::reboundLaw::tangentialQuantity()
 }
 
 
-impact::reboundCoefficient::quantity impact::reboundLaw::restitutionQuantity()
-{
-    return {"restitution", 0, 1, reboundCoefficient::component::normal};
-}
-
-
-impact::reboundCoefficient::quantity impact::reboundLaw::frictionQuantity()
-{
-    return {"friction", 0, 1e6};
-}
-
-
 impact::reboundLaw impact::reboundLaw::restitution
 (
     double normal,
@@ -81,10 +69,11 @@ impact::reboundLaw impact::reboundLaw::coulomb
     double friction
 )
 {
+    typedef reboundCoefficient form;
     return coulomb
     (
-        reboundCoefficient::constant(restitutionQuantity(), restitution),
-        reboundCoefficient::constant(frictionQuantity(), friction)
+        form::constant(form::restitutionQuantity(), restitution),
+        form::constant(form::frictionQuantity(), friction)
     );
 }
 
