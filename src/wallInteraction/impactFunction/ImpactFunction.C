@@ -29,14 +29,13 @@ Foam::ImpactFunction<CloudType, Recorder>::ImpactFunction
 (
     const dictionary& dict,
     CloudType& owner,
-    const word& modelName,
-    const word& type
+    const word& modelName
 )
 :
-    CloudFunctionObject<CloudType>(dict, owner, modelName, type),
+    CloudFunctionObject<CloudType>(dict, owner, modelName, typeName),
     patches_(impactPatches::read(this->coeffDict(), modelName, owner.mesh()))
 {
-    stockCloudEntries::refuseSteady(owner, type);
+    stockCloudEntries::refuseSteady(owner, typeName);
     refuseOthers(this->coeffDict(), Recorder::entries());
     recorder_.reset
     (

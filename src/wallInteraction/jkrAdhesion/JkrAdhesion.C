@@ -105,7 +105,7 @@ std::unique_ptr<Foam::particle> Foam::JkrAdhesion<CloudType>::released
     q->tTurb() = 0;
     q->UTurb() = vector(Zero);
     parcelPast::forgetForces(*q, 0);
-    if constexpr (parcelSpin::countsImpacts<parcelType>::value)
+    if constexpr (parcelSpin::countsImpacts<parcelType>)
     {
         q->nImpacts() = 0;
     }

@@ -269,7 +269,7 @@ Foam::NonSphericalWallModel<CloudType>::NonSphericalWallModel
     if
     (
         mesh.nGeometricD() < mesh.nSolutionD()
-     && keepsToSolvedDirections<parcelType>::value
+     && keepsToSolvedDirections<parcelType>
      && !parcelSpin::carried<parcelType>()
     )
     {

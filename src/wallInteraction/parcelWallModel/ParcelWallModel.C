@@ -138,7 +138,7 @@ inline void Foam::ParcelWallModel<CloudType>::leave
     {
         parcelSpin::set(p, fromCore(hit.omega1));
     }
-    if constexpr (parcelSpin::countsImpacts<parcelType>::value)
+    if constexpr (parcelSpin::countsImpacts<parcelType>)
     {
         ++p.nImpacts();
     }
@@ -296,7 +296,7 @@ Foam::ParcelWallModel<CloudType>::ParcelWallModel
     ),
     reduced_
     (
-        keepsToSolvedDirections<parcelType>::value
+        keepsToSolvedDirections<parcelType>
      && owner.pMesh().nSolutionD() < 3
     ),
     keepSpeed_
