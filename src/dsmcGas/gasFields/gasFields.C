@@ -5,7 +5,7 @@
 #include "gasFields.H"
 #include "IOdictionary.H"
 #include "maxwellian.H"
-#include "wallFvPatch.H"
+#include "sampledField.H"
 
 namespace
 {
@@ -56,40 +56,13 @@ namespace
 
 void Foam::gasFields::makeFields(const bool readSums)
 {
-    const auto object = [&](const word& name, const bool read)
-    {
-        return IOobject
-        (
-            name,
-            mesh_.time().timeName(),
-            mesh_,
-            read ? IOobject::MUST_READ : IOobject::NO_READ,
-            IOobject::AUTO_WRITE
-        );
-    };
-
-    // Only walls have values of their own
-    wordList types(mesh_.boundary().size(), "zeroGradient");
-    forAll(types, patchi)
-    {
-        if (isA<wallFvPatch>(mesh_.boundary()[patchi]))
-        {
-            types[patchi] = "calculated";
-        }
-    }
-
     for (const description& d : scalarFields)
     {
         scalars_.append
         (
-            readSums
-          ? new volScalarField(object(d.name + suffix_, true), mesh_)
-          : new volScalarField
+            sampledField<scalar>
             (
-                object(d.name + suffix_, false),
-                mesh_,
-                dimensionedScalar(d.dimensions, Zero),
-                types
+                mesh_, d.name + suffix_, d.dimensions, readSums
             )
         );
     }
@@ -97,40 +70,20 @@ void Foam::gasFields::makeFields(const bool readSums)
     {
         vectors_.append
         (
-            readSums
-          ? new volVectorField(object(d.name + suffix_, true), mesh_)
-          : new volVectorField
+            sampledField<vector>
             (
-                object(d.name + suffix_, false),
-                mesh_,
-                dimensionedVector(d.dimensions, Zero),
-                types
+                mesh_, d.name + suffix_, d.dimensions, readSums
             )
         );
     }
     if (suffix_ == meanSuffix)
     {
-        U_.reset
-        (
-            new volVectorField
-            (
-                object("U" + suffix_, false),
-                mesh_,
-                dimensionedVector(dimVelocity, Zero),
-                types
-            )
-        );
+        U_.reset(sampledField<vector>(mesh_, "U" + suffix_, dimVelocity));
         for (const description& d : derivedFields)
         {
             derived_.append
             (
-                new volScalarField
-                (
-                    object(d.name, false),
-                    mesh_,
-                    dimensionedScalar(d.dimensions, Zero),
-                    types
-                )
+                sampledField<scalar>(mesh_, d.name, d.dimensions)
             );
         }
     }

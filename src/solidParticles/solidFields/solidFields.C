@@ -6,7 +6,7 @@
 #include "IOdictionary.H"
 #include "coreVector.H"
 #include "checked.H"
-#include "wallFvPatch.H"
+#include "sampledField.H"
 
 namespace Foam
 {
@@ -24,46 +24,6 @@ namespace Foam
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-template<class Type>
-Foam::autoPtr<Foam::GeometricField<Type, Foam::fvPatchField, Foam::volMesh>>
-Foam::solidFields::makeField
-(
-    const word& name,
-    const dimensionSet& dimensions,
-    const bool read
-) const
-{
-    typedef GeometricField<Type, fvPatchField, volMesh> fieldType;
-    const IOobject object
-    (
-        name,
-        mesh_.time().timeName(),
-        mesh_,
-        read ? IOobject::MUST_READ : IOobject::NO_READ,
-        IOobject::AUTO_WRITE
-    );
-    if (read)
-    {
-        return autoPtr<fieldType>(new fieldType(object, mesh_));
-    }
-    wordList types(mesh_.boundary().size(), "zeroGradient");
-    forAll(types, patchi)
-    {
-        if (isA<wallFvPatch>(mesh_.boundary()[patchi]))
-        {
-            types[patchi] = "calculated";
-        }
-    }
-    return autoPtr<fieldType>
-    (
-        new fieldType
-        (
-            object, mesh_, dimensioned<Type>(dimensions, Zero), types
-        )
-    );
-}
-
-
 void Foam::solidFields::makeFields(const bool read)
 {
     const label nGroups = mass_.size();
@@ -74,36 +34,33 @@ void Foam::solidFields::makeFields(const bool read)
             const word end(g < nGroups ? word(phase + Foam::name(g)) : phase);
             n_.append
             (
-                makeField<scalar>
+                sampledField<scalar>
                 (
-                    "numberDensity" + end, dimless/dimVolume, read
-                ).release()
+                    mesh_, "numberDensity" + end, dimless/dimVolume, read
+                )
             );
             if (asked_[concentration])
             {
                 rho_.append
                 (
-                    makeField<scalar>
+                    sampledField<scalar>
                     (
-                        "concentration" + end, dimDensity, read
-                    ).release()
+                        mesh_, "concentration" + end, dimDensity, read
+                    )
                 );
             }
             if (asked_[velocity])
             {
                 U_.append
                 (
-                    makeField<vector>("U" + end, dimVelocity, read).release()
+                    sampledField<vector>(mesh_, "U" + end, dimVelocity, read)
                 );
             }
             if (asked_[temperature])
             {
                 T_.append
                 (
-                    makeField<scalar>
-                    (
-                        "T" + end, dimTemperature, read
-                    ).release()
+                    sampledField<scalar>(mesh_, "T" + end, dimTemperature, read)
                 );
             }
         }
@@ -114,17 +71,17 @@ void Foam::solidFields::makeFields(const bool read)
         {
             momentumRate_.append
             (
-                makeField<vector>
+                sampledField<vector>
                 (
-                    "momentumRate" + end, rateDimensions, read
-                ).release()
+                    mesh_, "momentumRate" + end, rateDimensions, read
+                )
             );
             energyRate_.append
             (
-                makeField<scalar>
+                sampledField<scalar>
                 (
-                    "energyRate" + end, energyRateDimensions, read
-                ).release()
+                    mesh_, "energyRate" + end, energyRateDimensions, read
+                )
             );
         }
     }
@@ -139,10 +96,10 @@ void Foam::solidFields::makeFields(const bool read)
         {
             surface_.append
             (
-                makeField<scalar>
+                sampledField<scalar>
                 (
-                    surfaceNames[k] + phase, dimensions[k], read
-                ).release()
+                    mesh_, surfaceNames[k] + phase, dimensions[k], read
+                )
             );
         }
     }
