@@ -10,6 +10,8 @@
 #include "wallPolyPatch.H"
 #include "wordRes.H"
 
+#include <algorithm>
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::dsmcGas::checkEntries() const
@@ -168,6 +170,16 @@ void Foam::dsmcGas::readWalls()
     {
         boundaryU_.reset(new volVectorField(U, mesh_));
     }
+
+    // What the conditions say now, whatever their entries 'value' have said
+    if (boundaryT_.valid())
+    {
+        boundaryT_->correctBoundaryConditions();
+    }
+    if (boundaryU_.valid())
+    {
+        boundaryU_->correctBoundaryConditions();
+    }
     readDiffuseFractions();
     checkDiffuseWalls();
 }
@@ -216,21 +228,24 @@ void Foam::dsmcGas::readDiffuseFractions()
     const dictionary own(block ? *block : dictionary());
     for (const entry& e : own)
     {
-        const scalar value = getNumber(own, e.keyword(), validRange::share);
-        bool found = false;
-        forAll(patches, patchi)
-        {
-            const word& name = patches[patchi].name();
-            if (walls.found(name) && wordRe(e.keyword()).match(name))
-            {
-                diffuseFraction_[patchi] = value;
-                found = true;
-            }
-        }
-        if (!found)
+        getNumber(own, e.keyword(), validRange::share);
+        const wordRe name(e.keyword());
+        if
+        (
+            std::none_of
+            (
+                walls.begin(), walls.end(),
+                [&name](const word& wall) { return name.match(wall); }
+            )
+        )
         {
             unknownWord(own, "wall", e.keyword(), walls);
         }
+    }
+    // (a name goes before patterns)
+    for (const word& wall : walls)
+    {
+        own.readIfPresent(wall, diffuseFraction_[patches.findPatchID(wall)]);
     }
 }
 
@@ -342,6 +357,21 @@ void Foam::dsmcGas::readSampling()
     if (const dictionary* sampling = findBlock(properties_, "sampling"))
     {
         refuseOthers(*sampling, {"start", "every"});
+        for (const entry& e : functions ? *functions : dictionary())
+        {
+            if
+            (
+                e.isDict()
+             && e.dict().getOrDefault<word>("type", "") == "fieldAverage"
+            )
+            {
+                FatalIOErrorInFunction(properties_)
+                    << "Block sampling takes the means <field>Mean, and so does"
+                    << " the function object " << e.keyword() << " of type"
+                    << " fieldAverage in system/controlDict, each over times of"
+                    << " its own: valid is one of them" << exit(FatalIOError);
+            }
+        }
         samplingStart_ =
             getNumber(*sampling, "start", validRange::time, scalar(0));
         samplingEvery_ =

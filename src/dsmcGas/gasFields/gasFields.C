@@ -354,7 +354,8 @@ void Foam::gasFields::update()
         return;
     }
 
-    // dsmcFields divides by these, and takes the least number for nothing
+    // dsmcFields divides by these, and takes the least number for nothing: it
+    // asks for means of the density before it does
     const scalar minValue = suffix_ == meanSuffix ? 0 : VSMALL;
 
     // Fields of the cells, then of each wall
@@ -366,7 +367,7 @@ void Foam::gasFields::update()
         (*f[rhoM])[i] = max(factor*s.mass, minValue);
         (*f[linearKE])[i] = factor*s.kineticEnergy;
         (*f[internalE])[i] = factor*s.internalEnergy;
-        (*f[iDof])[i] = max(factor*s.degreesOfFreedom, minValue);
+        (*f[iDof])[i] = max(factor*s.degreesOfFreedom, VSMALL);
         (*g[momentum])[i] =
             factor*vector(s.momentum[0], s.momentum[1], s.momentum[2]);
     };

@@ -8,7 +8,7 @@ import re
 
 import numpy as np
 
-from caseTools import (copy_case, decompose, edit, must, read_field,
+from caseTools import (copy_case, decompose, edit, must, read_field, run,
                        summary_of, times_of, verdict)
 from dsmcTools import (ARGON, K, NITROGEN, collisions, energies, momenta,
                        read_molecules, read_wall, reported, solve, write_gas)
@@ -300,3 +300,43 @@ verdict("functions_stockContinues", len(counts) == 2 and np.all(counts == n)
         and np.allclose(kinetic*n*4e13, energies(log)[-1], rtol=1e-9),
         f"{counts} of {n} molecules, energy"
         f" {kinetic*n*4e13/energies(log)[-1]} of ours")
+
+# --- what conditions of walls say goes before their entries 'value', names
+# before patterns; the stock fields beside means of our own
+LID = dict(PERIODIC, yMin="wall", yMax="wall")
+
+
+def lid(case, condition, fractions):
+    write_gas(case, LID, (4, 4, 4), weight=4e13,
+              control={"deltaT": 1e-5, "endTime": 2e-4},
+              more=f"wallDiffuseFractions {{ {fractions} }}\n"
+              "sampling { start 1e-4; }")
+    edit(case, "0/boundaryU", "yMax { type fixedValue; value uniform (0 0 0);",
+         "yMax { " + condition)
+    with open(f"{case}/system/controlDict", "a") as file:
+        file.write("functions { gas { type dsmcFields; writeControl writeTime;"
+                   " libs (lagrangianFunctionObjects); } }\n")
+    solve(case)
+    end = times_of(case)[-1]
+    return (open(f"{case}/{end}/lagrangian/dsmc/U", "rb").read(),
+            np.mean(read_wall(case, end, "fDMean", "yMax"), axis=0)[0])
+
+
+plain, drag = lid("lid", "type fixedValue; value uniform (200 0 0);",
+                  "yMax 1;")
+for name, condition, fractions in (
+        ("value", "type uniformFixedValue; uniformValue (200 0 0);"
+         " value uniform (0 0 0);", "yMax 1;"),
+        ("names", "type fixedValue; value uniform (200 0 0);",
+         'yMax 1; "y.*" 1; "yM.x" 0; yMin 1;')):
+    other = lid(f"lid_{name}", condition, fractions)[0]
+    verdict(f"lid_{name}", other == plain and abs(drag) > 1e-3,
+            f"{'the' if other == plain else 'not the'} velocities of a wall"
+            f" with fixedValue, on which the gas pulls by {drag:.3f} Pa")
+
+edit("lid", "system/controlDict", "functions {",
+     "functions { mean { type fieldAverage; libs (fieldFunctionObjects);"
+     " fields (rhoN { mean on; prime2Mean off; base time; }); }")
+status, text = run("lid", "dsmcParcelFoam")
+verdict("lid_fieldAverage", status != 0 and "valid is one of them" in text,
+        "sampling beside fieldAverage is refused" if status else "goes on")
