@@ -104,7 +104,7 @@ solution
 constantProperties { rho0 2500; }
 subModels
 {
-    particleForces { sphereDrag; hendersonDrag; magnus; }
+    particleForces { hendersonDrag; magnus; }
     injectionModels {}
     dispersionModel none;
     surfaceFilmModel none;
@@ -154,7 +154,7 @@ def cloud(wall, *others, pairs=(), name=None, forces=True):
 def drag(name):
     """The drag law alone, whose entries are ours."""
     return cloud("hardSphereWall", name, "rakeInjection", name=name,
-                 pairs=((r"sphereDrag; hendersonDrag; magnus;", "magnus;"),),
+                 pairs=((r"hendersonDrag; magnus;", "magnus;"),),
                  forces=False)
 
 

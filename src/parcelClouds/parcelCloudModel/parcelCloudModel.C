@@ -121,6 +121,32 @@ IOobject constantFile(const word& name, const fvMesh& mesh)
 }
 
 
+//- Forces add up: of two laws of drag each would be the whole drag
+void refuseSecondDrag(const dictionary& properties)
+{
+    const dictionary forces
+    (
+        properties.subOrEmptyDict("subModels").subOrEmptyDict("particleForces")
+    );
+    word drag;
+    for (const word& force : forces.toc())
+    {
+        if (!force.endsWith("Drag"))
+        {
+            continue;
+        }
+        if (drag.size())
+        {
+            FatalIOErrorInFunction(forces)
+                << "Entries " << drag << " and " << force << " are laws of"
+                << " drag, and forces add up: valid is one of them"
+                << exit(FatalIOError);
+        }
+        drag = force;
+    }
+}
+
+
 //- Clouds are given no gravity if there is no file of it
 void refuseGravityWithout(const dictionary& properties, const fvMesh& mesh)
 {
@@ -173,6 +199,7 @@ Foam::autoPtr<Foam::parcelCloudModel> Foam::parcelCloudModel::New
         parcelCloudModel::properties(name, rho.mesh())
     );
     refuseGravityWithout(properties, rho.mesh());
+    refuseSecondDrag(properties);
     refuseOthers
     (
         properties,

@@ -57,7 +57,10 @@ impact::undisturbedStream Foam::CrossSectionInjection<CloudType>::makeStream
     for (const Tuple2<scalar, scalar>& size : sizes)
     {
         const scalar d = size.first();
-        checkNumber(coeffs, "sizes", d, validRange::diameter);
+        this->checkDiameter
+        (
+            coeffs, coeffs.found("sizes") ? "sizes" : "diameter", d
+        );
         checkNumber(coeffs, "sizes", size.second(), "(0, 1]");
         classes.push_back
         (

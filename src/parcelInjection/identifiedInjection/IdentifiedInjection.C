@@ -120,6 +120,27 @@ void Foam::IdentifiedInjection<CloudType>::locate
 // * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * * //
 
 template<class CloudType>
+void Foam::IdentifiedInjection<CloudType>::checkDiameter
+(
+    const dictionary& dict,
+    const word& entry,
+    const scalar d
+) const
+{
+    checkNumber(dict, entry, d, validRange::diameter);
+    const scalar widest = this->owner().mesh().bounds().mag();
+    if (d > widest)
+    {
+        refuse
+        (
+            dict, entry, d, "up to ", widest, " m, from corner to corner of"
+            " the mesh: diameters are in metres"
+        );
+    }
+}
+
+
+template<class CloudType>
 Foam::scalar Foam::IdentifiedInjection<CloudType>::thickness() const
 {
     const polyMesh& mesh = this->owner().mesh();

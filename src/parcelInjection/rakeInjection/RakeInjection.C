@@ -91,6 +91,7 @@ Foam::RakeInjection<CloudType>::RakeInjection
     ),
     released_(this->template getModelProperty<label>("released"))
 {
+    this->checkDiameter(this->coeffDict(), "diameter", d_);
     for (const label i : {label(0), nParcels_ - 1})
     {
         const point p = position(i);

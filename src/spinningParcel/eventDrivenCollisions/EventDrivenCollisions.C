@@ -453,5 +453,15 @@ void Foam::EventDrivenCollisions<CloudType>::info()
         Info<< "    Injections upon others          = " << step[4]
             << "; in all " << totals_[4]
             << (separate_ ? ", separated" : ", refused") << nl;
+        if (!separate_ && totals_[4] == step[4])
+        {
+            WarningInFunction
+                << "Parcels injected upon others have been taken out again,"
+                << " and those to come will be (collisionModel,"
+                << " overlappingInjection refuse): fewer fly than the"
+                << " injection says. 'overlappingInjection separate;' moves"
+                << " them apart. Stock injections move parcels by part of a"
+                << " step first: shorter steps let more of them in" << endl;
+        }
     }
 }

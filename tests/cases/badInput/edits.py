@@ -340,6 +340,13 @@ TABLE = [
      ["diameter 0:", "[1e-10, 100]"]),
     ("diameter_rake", replace(RAKE, "50e-6", "0"),
      ["diameter 0:", "[1e-10, 100]"]),
+    ("micrometres_stream", replace(SAND, "50e-6", "50"),
+     ["diameter 50:", "corner of the mesh", "in metres"]),
+    ("micrometres_rake", replace(RAKE, "50e-6", "50"),
+     ["diameter 50:", "corner of the mesh", "in metres"]),
+    ("secondDrag", replace("constant/sandCloud", "hendersonDrag;",
+                           "hendersonDrag; sphereDrag;"),
+     ["hendersonDrag and sphereDrag", "forces add up"]),
     ("volumeFraction_limit", replace(STREAM, "1e-5", "0.1"),
      ["volumeFraction 0.1:", "(0, 0.1)"]),
     ("volumeFraction_zero", replace(STREAM, "1e-5", "0"),
@@ -419,7 +426,8 @@ TABLE = [
 
 
 OF_THE_STREAM = ("volumeFraction", "volumeFraction_limit",
-                 "volumeFraction_zero", "diameter_stream", "noSizes",
+                 "volumeFraction_zero", "diameter_stream",
+                 "micrometres_stream", "noSizes",
                  "sizesDiameter", "sizesShare", "sizesSum", "stream_speed",
                  "density", "injectionPatch")
 
