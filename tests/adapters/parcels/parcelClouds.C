@@ -65,10 +65,15 @@ protected:
         dict.write(os, false);
     }
 
-    //- The cloud's dictionary with changes merged in
+    //- The cloud's dictionary with changes merged in, whose forces are all
+    //  that it then has
     void addCloud(const word& cloud, const dictionary& changes) const
     {
         dictionary dict(read(path("constant/kinematicCloudProperties")));
+        if (changes.subOrEmptyDict("subModels").found("particleForces"))
+        {
+            dict.subDict("subModels").remove("particleForces");
+        }
         dict.merge(changes);
         write(cloud + "Properties", dict);
     }
