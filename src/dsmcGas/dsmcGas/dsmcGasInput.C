@@ -11,6 +11,7 @@
 #include "wordRes.H"
 
 #include <algorithm>
+#include <type_traits>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -149,9 +150,11 @@ void Foam::dsmcGas::readCollisions()
 
 void Foam::dsmcGas::readWalls()
 {
-    const auto present = [&](const word& name)
+    // What the conditions say now, whatever their entries 'value' have said
+    const auto read = [&](auto& field, const word& name)
     {
-        return IOobject
+        typedef std::decay_t<decltype(field())> fieldType;
+        IOobject header
         (
             name,
             mesh_.time().timeName(),
@@ -159,27 +162,14 @@ void Foam::dsmcGas::readWalls()
             IOobject::MUST_READ,
             IOobject::AUTO_WRITE
         );
+        if (isPresent<fieldType>(header, false))
+        {
+            field.reset(new fieldType(header, mesh_));
+            field->correctBoundaryConditions();
+        }
     };
-    IOobject T = present("boundaryT");
-    IOobject U = present("boundaryU");
-    if (isPresent<volScalarField>(T, false))
-    {
-        boundaryT_.reset(new volScalarField(T, mesh_));
-    }
-    if (isPresent<volVectorField>(U, false))
-    {
-        boundaryU_.reset(new volVectorField(U, mesh_));
-    }
-
-    // What the conditions say now, whatever their entries 'value' have said
-    if (boundaryT_.valid())
-    {
-        boundaryT_->correctBoundaryConditions();
-    }
-    if (boundaryU_.valid())
-    {
-        boundaryU_->correctBoundaryConditions();
-    }
+    read(boundaryT_, "boundaryT");
+    read(boundaryU_, "boundaryU");
     readDiffuseFractions();
     checkDiffuseWalls();
 }
@@ -342,6 +332,34 @@ void Foam::dsmcGas::makeBoxes()
 }
 
 
+void Foam::dsmcGas::refuseOtherMeans(const dictionary& functions) const
+{
+    for (const entry& e : functions)
+    {
+        if
+        (
+            !e.isDict()
+         || e.dict().getOrDefault<word>("type", "") != "fieldAverage"
+        )
+        {
+            continue;
+        }
+        for (const token& t : e.dict().lookup("fields"))
+        {
+            if (t.isWord() && mesh_.thisDb().found(t.wordToken() + "Mean"))
+            {
+                FatalIOErrorInFunction(e.dict())
+                    << "Field " << t.wordToken() << "Mean of the function"
+                    << " object " << e.keyword() << " (fieldAverage) is"
+                    << " written by the block sampling of the gas as well, over"
+                    << " times of its own: valid is one of them"
+                    << exit(FatalIOError);
+            }
+        }
+    }
+}
+
+
 void Foam::dsmcGas::readSampling()
 {
     reportEvery_ =
@@ -357,26 +375,15 @@ void Foam::dsmcGas::readSampling()
     if (const dictionary* sampling = findBlock(properties_, "sampling"))
     {
         refuseOthers(*sampling, {"start", "every"});
-        for (const entry& e : functions ? *functions : dictionary())
-        {
-            if
-            (
-                e.isDict()
-             && e.dict().getOrDefault<word>("type", "") == "fieldAverage"
-            )
-            {
-                FatalIOErrorInFunction(properties_)
-                    << "Block sampling takes the means <field>Mean, and so does"
-                    << " the function object " << e.keyword() << " of type"
-                    << " fieldAverage in system/controlDict, each over times of"
-                    << " its own: valid is one of them" << exit(FatalIOError);
-            }
-        }
         samplingStart_ =
             getNumber(*sampling, "start", validRange::time, scalar(0));
         samplingEvery_ =
             getNumber<label>(*sampling, "every", validRange::count, 1);
         means_.reset(new gasFields(mesh_, species_, weight_, "Mean"));
+        if (functions)
+        {
+            refuseOtherMeans(*functions);
+        }
         if (samplingStart_ > mesh_.time().endTime().value())
         {
             WarningInFunction

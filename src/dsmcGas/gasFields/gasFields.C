@@ -354,8 +354,8 @@ void Foam::gasFields::update()
         return;
     }
 
-    // dsmcFields divides by these, and takes the least number for nothing: it
-    // asks for means of the density before it does
+    // dsmcFields divides by these. Of means it asks first whether the densities
+    // are zero, but not the degrees of freedom
     const scalar minValue = suffix_ == meanSuffix ? 0 : VSMALL;
 
     // Fields of the cells, then of each wall

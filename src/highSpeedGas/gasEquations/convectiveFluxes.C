@@ -114,13 +114,18 @@ void Foam::gasEquations::gradients()
     double* g = gradient_.data();
     leastSquaresGradients(links, nDim, primitive.data(), g);
 
-    geometry_.exchange(g, nVar_*nDim);
-    geometry_.reflectGradients(g);
-    if (passed_ == 0 && slipWallShear_.used())
+    const auto fillGhosts = [&]()
     {
-        slipWallShear_.limit<nDim>(g);
         geometry_.exchange(g, nVar_*nDim);
         geometry_.reflectGradients(g);
+    };
+    fillGhosts();
+    // (the limiter of steady gas lets something pass)
+    const bool inTime = passed_ == 0;
+    if (inTime && slipWallShear_.used())
+    {
+        slipWallShear_.limit<nDim>(g);
+        fillGhosts();
     }
     if (geometry_.anyUnaligned)
     {

@@ -122,12 +122,8 @@ IOobject constantFile(const word& name, const fvMesh& mesh)
 
 
 //- Forces add up: of two laws of drag each would be the whole drag
-void refuseSecondDrag(const dictionary& properties)
+void refuseSecondDrag(const dictionary& forces)
 {
-    const dictionary forces
-    (
-        properties.subOrEmptyDict("subModels").subOrEmptyDict("particleForces")
-    );
     word drag;
     for (const word& force : forces.toc())
     {
@@ -148,16 +144,12 @@ void refuseSecondDrag(const dictionary& properties)
 
 
 //- Clouds are given no gravity if there is no file of it
-void refuseGravityWithout(const dictionary& properties, const fvMesh& mesh)
+void refuseGravityWithout(const dictionary& forces, const fvMesh& mesh)
 {
     IOobject g(parcelCloudModel::gravity(mesh));
-    const dictionary forces
-    (
-        properties.subOrEmptyDict("subModels").subOrEmptyDict("particleForces")
-    );
     if (forces.found("gravity") && !isPresent<uniformDimensionedVectorField>(g))
     {
-        FatalIOErrorInFunction(properties)
+        FatalIOErrorInFunction(forces)
             << "Force gravity needs the file constant/g, e.g. with"
             << " dimensions [0 1 -2 0 0 0 0]; value (0 0 -9.81);"
             << exit(FatalIOError);
@@ -198,8 +190,12 @@ Foam::autoPtr<Foam::parcelCloudModel> Foam::parcelCloudModel::New
     (
         parcelCloudModel::properties(name, rho.mesh())
     );
-    refuseGravityWithout(properties, rho.mesh());
-    refuseSecondDrag(properties);
+    const dictionary forces
+    (
+        properties.subOrEmptyDict("subModels").subOrEmptyDict("particleForces")
+    );
+    refuseGravityWithout(forces, rho.mesh());
+    refuseSecondDrag(forces);
     refuseOthers
     (
         properties,

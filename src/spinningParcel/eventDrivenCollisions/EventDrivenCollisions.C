@@ -453,7 +453,8 @@ void Foam::EventDrivenCollisions<CloudType>::info()
         Info<< "    Injections upon others          = " << step[4]
             << "; in all " << totals_[4]
             << (separate_ ? ", separated" : ", refused") << nl;
-        if (!separate_ && totals_[4] == step[4])
+        const bool first = totals_[4] == step[4];
+        if (!separate_ && first)
         {
             WarningInFunction
                 << "Parcels injected upon others have been taken out again,"

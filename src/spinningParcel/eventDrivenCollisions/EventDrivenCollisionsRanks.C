@@ -494,7 +494,7 @@ Foam::EventDrivenCollisions<CloudType>::agree()
         mine,
         [](const call& a, const call& b)
         {
-            call first = before(a, b) ? a : b;
+            call first = a.before(b) ? a : b;
             first[7] = min(a[7], b[7]);
             return first;
         }
@@ -515,7 +515,7 @@ void Foam::EventDrivenCollisions<CloudType>::settleSlice()
         {
             return;
         }
-        const bool again = !before(first, last) && !before(last, first);
+        const bool again = !first.before(last) && !last.before(first);
         if (first[7] <= t && !again)
         {
             // An event may bring forth a shared one: agree again
@@ -524,7 +524,7 @@ void Foam::EventDrivenCollisions<CloudType>::settleSlice()
             while
             (
                 news_.empty() && step_.next(e)
-             && (e.time < t || (e.time == t && before(callOf(e), first)))
+             && (e.time < t || (e.time == t && callOf(e).before(first)))
             )
             {
                 step_.happen(*this, e);
