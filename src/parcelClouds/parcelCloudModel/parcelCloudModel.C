@@ -121,28 +121,6 @@ IOobject constantFile(const word& name, const fvMesh& mesh)
 }
 
 
-//- Forces add up: of two laws of drag each would be the whole drag
-void refuseSecondDrag(const dictionary& forces)
-{
-    word drag;
-    for (const word& force : forces.toc())
-    {
-        if (!force.endsWith("Drag"))
-        {
-            continue;
-        }
-        if (drag.size())
-        {
-            FatalIOErrorInFunction(forces)
-                << "Entries " << drag << " and " << force << " are laws of"
-                << " drag, and forces add up: valid is one of them"
-                << exit(FatalIOError);
-        }
-        drag = force;
-    }
-}
-
-
 //- Clouds are given no gravity if there is no file of it
 void refuseGravityWithout(const dictionary& forces, const fvMesh& mesh)
 {
@@ -195,7 +173,7 @@ Foam::autoPtr<Foam::parcelCloudModel> Foam::parcelCloudModel::New
         properties.subOrEmptyDict("subModels").subOrEmptyDict("particleForces")
     );
     refuseGravityWithout(forces, rho.mesh());
-    refuseSecondDrag(forces);
+    stockCloudEntries::refuseSecondDrag(forces);
     refuseOthers
     (
         properties,

@@ -5,6 +5,7 @@
 #include "CoreDragForce.H"
 #include "checked.H"
 #include "parcelTemperature.H"
+#include "stockCloudEntries.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -229,6 +230,10 @@ Foam::CoreDragForce<CloudType>::CoreDragForce
     gammaR_(1),
     drag_(law(1.4))
 {
+    stockCloudEntries::refuseSecondDrag
+    (
+        owner.subModelProperties().subOrEmptyDict("particleForces")
+    );
     if (kind_.compressible && gMin(thermo().psi().primitiveField()) <= 0)
     {
         FatalIOErrorInFunction(this->coeffs())

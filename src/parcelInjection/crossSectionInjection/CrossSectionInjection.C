@@ -370,6 +370,14 @@ void Foam::CrossSectionInjection<CloudType>::select
     DynamicList<newParcel>& parcels
 )
 {
+    if (this->owner().mesh().changing())
+    {
+        FatalIOErrorInFunction(this->coeffDict())
+            << "The mesh moves or changes: crossSectionInjection lets its"
+            << " stream enter through the patches as they were at the start."
+            << nl << "Valid: a mesh at rest, or rakeInjection at points that"
+            << " stay in the mesh" << exit(FatalIOError);
+    }
     if (t0 < this->SOI_)
     {
         return;

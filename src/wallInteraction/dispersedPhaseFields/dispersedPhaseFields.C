@@ -5,6 +5,7 @@
 #include "dispersedPhaseFields.H"
 #include "checked.H"
 #include "PstreamReduceOps.H"
+#include "pastWrite.H"
 #include "zeroGradientFvPatchFields.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -208,6 +209,10 @@ void Foam::dispersedPhaseFields::end()
         return;
     }
     makeFields();
+    for (const regIOobject& field : fields_)
+    {
+        pastWrite::catchUp(mesh_, field);
+    }
     restart_.set(labelList(), scalarList(1, time_));
 
     scalar particles = 0;

@@ -40,6 +40,22 @@ template<class Parcel>
 void setInitialMass(Parcel&, long)
 {}
 
+
+//- The density of a droplet follows from its temperature: it keeps the mass
+template<class Parcel>
+auto setSize(Parcel& p, const scalar d, const scalar rho, int)
+ -> decltype(p.liquidCore(), void())
+{
+    p.d() = d*cbrt(rho/p.rho());
+}
+
+template<class Parcel>
+void setSize(Parcel& p, const scalar d, const scalar rho, long)
+{
+    p.d() = d;
+    p.rho() = rho;
+}
+
 } // End namespace parcelPast
 
 } // End namespace Foam
@@ -123,9 +139,8 @@ void Foam::JkrAdhesion<CloudType>::add(wallLayer::release& r)
 {
     parcelType* p = static_cast<parcelType*>(r.parcel.release());
     const vector omega(parcelSpin::get(*p));
-    p->d() = r.d;
-    p->dTarget() = r.d;
-    p->rho() = r.rho;
+    parcelPast::setSize(*p, r.d, r.rho, 0);
+    p->dTarget() = p->d();
     p->nParticle() = r.number;
     p->origProc() = wallLayer::releasedProc;
     p->origId() = r.identity;
@@ -316,7 +331,7 @@ void Foam::JkrAdhesion<CloudType>::endStep()
         layer_.write();
         writtenState::addParcels
         (
-            this->owner().mesh(), this->owner().name(), this->owner().size()
+            this->owner().mesh(), this->owner(), this->owner().size()
         );
         this->setModelProperty("nReleased", layer_.nReleased());
     }

@@ -21,7 +21,7 @@ void Foam::ParcelWallReport<CloudType>::postEvolve
     counters_.report(Info, cloud.outputProperties(), true, store);
     if (store)
     {
-        writtenState::addParcels(cloud.mesh(), cloud.name(), cloud.size());
+        writtenState::addParcels(cloud.mesh(), cloud, cloud.size());
     }
 }
 
@@ -400,7 +400,7 @@ void Foam::ParcelWallModel<CloudType>::info(FOAM_COMPAT_INFO_ARGS)
     {
         writtenState::addParcels
         (
-            this->owner().mesh(), this->owner().name(), this->owner().size()
+            this->owner().mesh(), this->owner(), this->owner().size()
         );
     }
 }

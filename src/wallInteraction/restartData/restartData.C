@@ -4,6 +4,7 @@
 
 #include "restartData.H"
 #include "writtenState.H"
+#include "pastWrite.H"
 #include "checked.H"
 #include "Pstream.H"
 #include "Time.H"
@@ -45,6 +46,7 @@ Foam::restartData::restartData
         is >> labels_ >> scalars_;
     }
     close();
+    pastWrite::of(mesh);
 
     const bool anew =
         getWord(dict, "restart", {"continue", "anew"}) == "anew";
@@ -81,6 +83,7 @@ void Foam::restartData::set(labelList&& labels, scalarList&& scalars)
     }
     timeIndex_ = time().timeIndex();
     writtenState::add(mesh_, cloudName_, name());
+    pastWrite::catchUp(mesh_, *this);
 }
 
 

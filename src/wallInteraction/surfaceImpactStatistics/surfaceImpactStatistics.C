@@ -7,6 +7,7 @@
 #include "PstreamReduceOps.H"
 #include "coreVector.H"
 #include "impactMeasures.H"
+#include "pastWrite.H"
 
 #include <algorithm>
 
@@ -638,6 +639,10 @@ void Foam::surfaceImpactStatistics::end()
     if (time.writeTime())
     {
         makeFields();
+        for (const volScalarField& field : fields_)
+        {
+            pastWrite::catchUp(mesh_, field);
+        }
         writeRestart();
     }
 }

@@ -80,10 +80,15 @@ Foam::wallPatches::wallPatches
             << "Valid: patchInteractionModel none" << exit(FatalIOError);
     }
     readItems(dict);
+    const char* remedy =
+        " With patchInteractionModel multiInteraction and oneInteractionOnly"
+        " false a stock localInteraction beside this model can hold parcels"
+        " there";
     forAll(settings_, number)
     {
         const keyType& name = names_[number];
         bool found = false;
+        DynamicList<word> passed;
         for (const label patchi : boundary.indices(name, true))
         {
             if (patchi >= ofPatch_.size())
@@ -98,10 +103,11 @@ Foam::wallPatches::wallPatches
                     refuse
                     (
                         dict, "patches", name, listed(valid).c_str(),
-                        ": nothing can rebound from a patch of type ",
-                        patch.type()
+                        ": this model leaves patches of type ", patch.type(),
+                        " as they are.", remedy
                     );
                 }
+                passed.append(patch.name());
                 continue;
             }
             if (ofPatch_[patchi] != -1)
@@ -119,6 +125,14 @@ Foam::wallPatches::wallPatches
         if (!found)
         {
             unknownWord(dict, "patches", name, valid);
+        }
+        if (passed.size() && name != ".*")
+        {
+            IOWarningInFunction(dict)
+                << "Entry patches " << name << ", model " << model
+                << ": cyclic patches, symmetry planes and others of their kind"
+                << " stay what they are, among them " << passed << '.'
+                << remedy << nl << endl;
         }
     }
     if (settings_.empty())

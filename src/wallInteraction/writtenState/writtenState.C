@@ -5,6 +5,7 @@
 #include "writtenState.H"
 #include "IOdictionary.H"
 #include "PstreamReduceOps.H"
+#include "pastWrite.H"
 #include "Time.H"
 
 namespace
@@ -65,14 +66,15 @@ const dictionary* found(const polyMesh& mesh, const word& cloudName)
     const string& what
 )
 {
-    FatalErrorInFunction
+    // (A list of function objects goes on without one that fails otherwise)
+    FatalIOErrorInFunction(*properties(mesh, cloudName))
         << "Time directory " << mesh.time().timeName() << " of cloud "
         << cloudName << " was not written to its end: " << what.c_str() << nl
         << "Start from the time before. If it was changed on purpose, remove "
         << block << " from "
         << mesh.time().timeName()/"uniform"/"lagrangian"/cloudName
           /(cloudName + "OutputProperties")
-        << exit(FatalError);
+        << exit(FatalIOError);
     std::abort();
 }
 
@@ -101,15 +103,16 @@ void Foam::writtenState::add
 void Foam::writtenState::addParcels
 (
     const polyMesh& mesh,
-    const word& cloudName,
+    const regIOobject& cloud,
     label nParcels
 )
 {
     reduce(nParcels, sumOp<label>());
-    if (dictionary* d = notes(mesh, cloudName))
+    if (dictionary* d = notes(mesh, cloud.name()))
     {
         d->set(parcels, nParcels);
     }
+    pastWrite::catchUp(mesh, cloud);
 }
 
 
@@ -135,6 +138,7 @@ void Foam::writtenState::checkParcels
     label nParcels
 )
 {
+    pastWrite::of(mesh);
     reduce(nParcels, sumOp<label>());
     const dictionary* d = found(mesh, cloudName);
     const label noted =

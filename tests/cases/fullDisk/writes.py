@@ -138,15 +138,15 @@ def solver(name, build, command, ranks, early=False):
             bad.append(f"{what}: {complaint(text)}")
         elif "large" not in about[1] and "full" not in about[1]:
             bad.append(f"{what}: the reason is '{about[1]}'")
-        if marks(trial) - kept and any(
-                same_but_clock({p: f for p, f in files_of(trial).items()
-                                if p.startswith(m + "/")},
-                               {p: f for p, f in whole.items()
-                                if p.startswith(m + "/")})
-                for m in marks(trial) - kept):
+        left = files_of(trial)
+        if any(same_but_clock({p: f for p, f in left.items()
+                               if p.startswith(m + "/")},
+                              {p: f for p, f in whole.items()
+                               if p.startswith(m + "/")})
+               for m in marks(trial) - kept):
             bad.append(f"{what}: a time that was cut is marked complete")
         lost = [p for p, f in before.items() if re.match(
-            r"(processor\d/)?[0-9]", p) and files_of(trial).get(p) != f]
+            r"(processor\d/)?[0-9]", p) and left.get(p) != f]
         if lost:
             bad.append(f"{what}: changed {lost[:3]}")
         status, text = attempt(trial, command, ranks)
@@ -188,8 +188,8 @@ def utility(subject):
     start = files_of(case)
     must(case, *subject.command)
     # What is new, and what it has replaced
-    whole = results(files_of(case), {p for p, f in files_of(case).items()
-                                     if start.get(p) == f})
+    end = files_of(case)
+    whole = results(end, {p for p, f in end.items() if start.get(p) == f})
     bad, n = [], 0
     for most in limits(whole, 6):
         shutil.copytree(case, "trial")

@@ -158,6 +158,28 @@ def wear_is_said(printed, row):
         rtol=1e-4)
 
 
+def goes_on(gas, log):
+    """Whether a run of a solver with the cloud as its function object has
+    written the map, and goes on from its last time as it would have gone."""
+    last = float(must(gas, "foamListTimes", "-latestTime").split()[-1])
+    wear = glob.glob(os.path.join(gas, "[0-9]*", "kinematicCloud:wear:wearRate"))
+    step = float(re.findall(r"(?m)^deltaT = (.*)", log)[-1])
+    entries(gas, "system/controlDict", stopAt="endTime",
+            endTime=repr(last + 3.5*step))
+    entries(gas, "constant/kinematicCloudProperties",
+            cloudFunctions__wear__stopAtError__target="1e-9")
+    text = must(gas, "pimpleFoam")
+    parcels, there = (re.findall(r"number of parcels\s+= (\d+)", t)
+                      for t in (log, text))
+    added, after = (re.findall(r"parcels added += (\d+)", t)
+                    for t in (log, text))
+    rise = int(after[0]) - int(added[-1]) if after else -1
+    return (len(wear) > 0 and 0 <= rise < 100
+            and abs(int(there[0]) - int(parcels[-1])) < 100,
+            f"{len(wear)} maps written; {parcels[-1]} parcels and"
+            f" {added[-1]} added, then {there[:1]} and {after[:1]}")
+
+
 def main():
     with open(sys.argv[1]) as file:
         erosion, dust, scattering = recipes(file.read())
@@ -191,6 +213,9 @@ def main():
         span = float(re.findall(r"averaged over (\S+) s", log)[-1])
         struck = row["massFlux"]*row["area"]*span
         grains = struck/(2650*np.pi/6*50e-6**3)
+        again, restarted = goes_on(gas, log)
+        good &= again
+        reason += "; " + restarted
         return (good and wear_is_said(printed, row)
                 and abs(int(added) - expected) < 2
                 and abs(grains/row["nImpacts"] - 1) < 1e-4,

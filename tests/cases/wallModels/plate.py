@@ -56,7 +56,8 @@ libs ({libs});""")
         map(float, wall_velocity))
     write_field(case, "U", (0, 0, 0), {
         side: fixed if kind == "wall" else
-        "type empty;" if kind == "empty" else "type zeroGradient;"
+        f"type {kind};" if kind in ("empty", "cyclic") else
+        "type zeroGradient;"
         for side, kind in sides.items()})
     write_block(case, box(lengths), cells, sides)
     models = "\n".join(f"r{i} {{ {text} }}"

@@ -135,6 +135,35 @@ TEST(angularBins, cutsLargeFaces)
 }
 
 
+TEST(angularBins, givesAWallInThePlaneOfAnEdgeToTheBinsOfItsHits)
+{
+    // A floor through the axis: 1 on one side of it, 3 on the other, 2 along
+    for (const double turned : {0.0, 20.0, 60.0, 90.0, 180.0, 300.0})
+    {
+        for (const bool folded : {false, true})
+        {
+            const vector3 from = at(1, turned, 0) - origin;
+            const angularBins bins(origin, axis, from, 10, folded);
+            std::vector<double> areas(bins.size(), 0.0);
+            bins.addArea
+            (
+                {at(1, 0, 0), at(3, 180, 0), at(3, 180, 2), at(1, 0, 2)}, areas
+            );
+            std::vector<double> hits(bins.size(), 0.0);
+            for (const double R : {0.01, 0.3, 0.9})
+            {
+                hits[bins.bin(at(R, 0, 2*R))] += 2.0/3;
+                hits[bins.bin(at(3*R, 180, 2*R))] += 6.0/3;
+            }
+            for (int k = 0; k < bins.size(); ++k)
+            {
+                EXPECT_NEAR(areas[k], hits[k], 1e-12) << turned << ' ' << k;
+            }
+        }
+    }
+}
+
+
 TEST(angularBins, refusesBadInput)
 {
     const vector3 zero{0, 0, 0};

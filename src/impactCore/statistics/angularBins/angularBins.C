@@ -16,6 +16,10 @@ namespace
 
 const double degree = std::acos(-1.0)/180;
 
+//- Round-off in which a position stands on the edge of a bin, in parts of the
+//  bin, and a polygon in the plane of one, in parts of its distance
+const double onEdge = 1e-9;
+
 //- Part of a polygon where side . (x - origin) >= 0
 void cut
 (
@@ -76,6 +80,55 @@ int angularBins::fold(int k) const
 {
     const int half = nCircle_/2;
     return !folded_ ? k : k >= half ? k - half : half - 1 - k;
+}
+
+
+int angularBins::edgeBin(int k) const
+{
+    return fold(k == 0 ? nCircle_ - 1 : k);
+}
+
+
+bool angularBins::addInPlane
+(
+    const std::vector<vector3>& polygon,
+    const vector3& n,
+    std::vector<double>& areas
+) const
+{
+    double reach = 0;
+    for (const vector3& x : polygon)
+    {
+        const vector3 r = x - origin_;
+        reach = std::max(reach, mag(r - dot(r, axis_)*axis_));
+    }
+    const auto isIn =
+        [&](const vector3& edge)
+        {
+            for (const vector3& x : polygon)
+            {
+                if (std::fabs(dot(edge, x - origin_)) > onEdge*reach)
+                {
+                    return false;
+                }
+            }
+            return true;
+        };
+    for (int k = 0; k < nCircle_/2; ++k)
+    {
+        if (isIn(edges_[k]))
+        {
+            // To both sides of the axis
+            std::vector<vector3> part;
+            const vector3 along = cross(edges_[k], axis_);
+            cut(polygon, origin_, along, part);
+            areas[edgeBin(k)] += dot(n, areaVector(part));
+            cut(polygon, origin_, -along, part);
+            areas[edgeBin(k + nCircle_/2)] += dot(n, areaVector(part));
+            return true;
+        }
+    }
+    return false;
 }
 
 
@@ -153,8 +206,9 @@ double angularBins::phi(const vector3& position) const
 
 int angularBins::bin(const vector3& position) const
 {
-    const int k = int(std::floor((phi(position) + 180)/width_));
-    return fold(std::min(k, nCircle_ - 1));
+    const double q = (phi(position) + 180)/width_;
+    const int k = int(std::floor(q + onEdge));
+    return q < onEdge || k >= nCircle_ ? edgeBin(0) : fold(k);
 }
 
 
@@ -180,6 +234,10 @@ void angularBins::addArea
         return;
     }
     const vector3 n = (1/area)*whole;
+    if (addInPlane(polygon, n, areas))
+    {
+        return;
+    }
 
     std::vector<vector3> low;
     std::vector<vector3> part;
