@@ -336,18 +336,14 @@ TEST_F(spinningCloudTest, givesWhatItLoses)
     );
     for (const char* motion : {"", embedded})
     {
-        for (const char* listed : {"", "sphereDrag;"})
+        for (const char* listed : {"", "sphereDrag;magnus;"})
         {
             const word name
             (
                 word(*motion ? "embedded" : "stock")
               + (*listed ? "Listed" : "Core")
             );
-            const auto cloud = make
-            (
-                motion + coupled + "subModels{particleForces{" + listed + "}}",
-                name
-            );
+            const auto cloud = make(motion + coupled, name, listed);
             const auto momentum =
                 [&]()
                 {

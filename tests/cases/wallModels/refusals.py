@@ -42,12 +42,12 @@ def main():
                 status == 0 and said == warnings
                 and ("zMin" in text.split("among them")[-1][:20]) == said,
                 f"{said} warnings" if status == 0 else complaint(text))
-    status, text = run(case("cyclic", sides=CYCLIC,
+    status, text = run(case("cyclicNamed", sides=CYCLIC,
                             walls=f"yMin {WALL} zMin {WALL}"), SOLVER)
     refused("cyclicWall", ["zMin", "type cyclic", "multiInteraction"], text,
             status)
 
-    status, text = run(case("drags", extra="particleForces { sphereDrag;"
+    status, text = run(case("twoDrags", extra="particleForces { sphereDrag;"
                             " lothDrag {} }", libs="parcelForces"
                             " parcelInjection parcelWallInteraction"), SOLVER)
     refused("secondDrag", ["sphereDrag and lothDrag", "forces add up"], text,
@@ -56,7 +56,7 @@ def main():
     stream = ("type crossSectionInjection; patches (yMax); U0 (0 -10 0);"
               " volumeFraction 1e-6; diameter 1e-5; nParticle 1e6;")
     for moves in (False, True):
-        name = case("moving" if moves else "still", falls=stream,
+        name = case("inletMoves" if moves else "inletRests", falls=stream,
                     lid='"([xy]Max|xMin|z.*)" { type escape; }')
         write_foam(name, "constant/dynamicMeshDict", """
 dynamicFvMesh dynamicMotionSolverFvMesh; motionSolverLibs (fvMotionSolvers);
