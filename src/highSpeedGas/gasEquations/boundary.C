@@ -311,17 +311,29 @@ void Foam::gasEquations::wallPressure
         // stopped: the wall sends back the acoustic wave that stops it
         p += pc*max(-0.5, min(0.5, gamma*un/a));
     }
-    else if (un > 0 && x > 0)
+    else if (un*x > 0 && (un > 0 || passed_ == 0))
     {
         // Gas that runs into the wall, the pressure rising towards it, is
         // stopped by a shock: behind the tip of a wedge within a few cells
-        // instead of tens. Smooth flows have none of it: their velocity at the
-        // wall is well below a fifth of the speed of sound, or their pressure
-        // changes by less than a tenth.
-        const double m = un/a;
-        const double M = m*m/(m + 0.2)*x*x/(x*x + 0.01);
-        const double b = 0.25*(gamma + 1)*M;
-        p *= 1 + gamma*M*(b + std::sqrt(1 + b*b));
+        // instead of tens. From gas that runs off it, the pressure falling, a
+        // rarefaction goes out, in time: behind a sharp corner the pressure of
+        // the cells would take entropy from the gas at the wall. (The whole of
+        // it would give too much of that to gas that turns by a right angle, at
+        // the edge of a step.) Smooth flows have none of either: their velocity
+        // at the wall is well below a fifth of the speed of sound, or their
+        // pressure changes by less than a tenth.
+        const double m = mag(un)/a;
+        const double M = m*m/(m + (un > 0 ? 0.2 : 0.5))*x*x/(x*x + 0.01);
+        if (un > 0)
+        {
+            const double b = 0.25*(gamma + 1)*M;
+            p *= 1 + gamma*M*(b + std::sqrt(1 + b*b));
+        }
+        else
+        {
+            const double r = max(1 - 0.5*(gamma - 1)*M, 0.0);
+            p *= std::pow(r, 2*gamma/(gamma - 1));
+        }
     }
 }
 
