@@ -14,6 +14,7 @@ import sys
 
 import numpy as np
 
+import foamFiles
 from caseTools import must, verdict
 
 PLACES = ("/usr/share/doc/openfoam-examples/examples",
@@ -159,13 +160,16 @@ def wear_is_said(printed, row):
 
 
 def goes_on(gas, log):
-    """Whether a run of a solver with the cloud as its function object has
-    written the map, and goes on from its last time as it would have gone."""
-    last = float(must(gas, "foamListTimes", "-latestTime").split()[-1])
-    wear = glob.glob(os.path.join(gas, "[0-9]*", "kinematicCloud:wear:wearRate"))
+    """Whether a solver with the cloud as its function object has written the
+    map and, in its last time, the parcels as they were after the last step,
+    and goes on from there."""
+    last = must(gas, "foamListTimes", "-latestTime").split()[-1]
+    wear = glob.glob(os.path.join(gas, "[0-9]*",
+                                  "kinematicCloud:wear:wearRate"))
+    written = len(foamFiles.parcels(gas, last, "kinematicCloud")[0])
     step = float(re.findall(r"(?m)^deltaT = (.*)", log)[-1])
     entries(gas, "system/controlDict", stopAt="endTime",
-            endTime=repr(last + 3.5*step))
+            endTime=repr(float(last) + 3.5*step))
     entries(gas, "constant/kinematicCloudProperties",
             cloudFunctions__wear__stopAtError__target="1e-9")
     text = must(gas, "pimpleFoam")
@@ -174,9 +178,9 @@ def goes_on(gas, log):
     added, after = (re.findall(r"parcels added += (\d+)", t)
                     for t in (log, text))
     rise = int(after[0]) - int(added[-1]) if after else -1
-    return (len(wear) > 0 and 0 <= rise < 100
-            and abs(int(there[0]) - int(parcels[-1])) < 100,
-            f"{len(wear)} maps written; {parcels[-1]} parcels and"
+    return (len(wear) > 0 and written == int(parcels[-1]) and 0 <= rise < 100
+            and abs(int(there[0]) - written) < 100,
+            f"{len(wear)} maps written, {written} of {parcels[-1]} parcels;"
             f" {added[-1]} added, then {there[:1]} and {after[:1]}")
 
 

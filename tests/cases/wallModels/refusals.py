@@ -3,6 +3,8 @@
 and symmetry planes as walls, two laws of drag, an inlet that moves. Stands in
 an empty folder."""
 
+import re
+
 from caseTools import complaint, run, verdict, write_foam
 from plate import SOLVER, injector, mesh, write_plate
 
@@ -32,16 +34,15 @@ def refused(name, words, text, status):
 def main():
     # A pattern that means walls, and takes in the cyclic patches beside them
     for name, walls, lid, warnings in (
-            ("byPattern", f'"[yz]M.*n" {WALL}', LID, 1),
-            ("byName", f"yMin {WALL}", LID, 0),
-            ("all", f'".*" {WALL}', "", 0)):
+            ("byPattern", f'"[yz]M.*n" {WALL}', LID, ["1(zMin)"]),
+            ("byName", f"yMin {WALL}", LID, []),
+            ("all", f'".*" {WALL}', "", [])):
         status, text = run(case("cyclic_" + name, sides=CYCLIC, walls=walls,
                                 lid=lid), SOLVER)
-        said = text.count("stay what they are, among them")
+        said = re.findall(r"stay what they are, among them (\S+)\.", text)
         verdict(f"warnsOfCyclicWalls_{name}",
-                status == 0 and said == warnings
-                and ("zMin" in text.split("among them")[-1][:20]) == said,
-                f"{said} warnings" if status == 0 else complaint(text))
+                status == 0 and said == warnings,
+                f"warned of {said}" if status == 0 else complaint(text))
     status, text = run(case("cyclicNamed", sides=CYCLIC,
                             walls=f"yMin {WALL} zMin {WALL}"), SOLVER)
     refused("cyclicWall", ["zMin", "type cyclic", "multiInteraction"], text,
