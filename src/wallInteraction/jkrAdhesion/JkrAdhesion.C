@@ -12,8 +12,9 @@
 namespace Foam
 {
 
-//- What a parcel of a certain kind keeps of its past, forgotten
-namespace parcelPast
+//- What parcels of certain kinds have of their own: a past that is to be
+//  forgotten, a density that follows from the temperature
+namespace parcelKind
 {
 
 template<class Parcel>
@@ -56,7 +57,7 @@ void setSize(Parcel& p, const scalar d, const scalar rho, long)
     p.rho() = rho;
 }
 
-} // End namespace parcelPast
+} // End namespace parcelKind
 
 } // End namespace Foam
 
@@ -120,7 +121,7 @@ std::unique_ptr<Foam::particle> Foam::JkrAdhesion<CloudType>::released
     q->age() = 0;
     q->tTurb() = 0;
     q->UTurb() = vector(Zero);
-    parcelPast::forgetForces(*q, 0);
+    parcelKind::forgetForces(*q, 0);
     if constexpr (parcelSpin::countsImpacts<parcelType>)
     {
         q->nImpacts() = 0;
@@ -139,13 +140,13 @@ void Foam::JkrAdhesion<CloudType>::add(wallLayer::release& r)
 {
     parcelType* p = static_cast<parcelType*>(r.parcel.release());
     const vector omega(parcelSpin::get(*p));
-    parcelPast::setSize(*p, r.d, r.rho, 0);
+    parcelKind::setSize(*p, r.d, r.rho, 0);
     p->dTarget() = p->d();
     p->nParticle() = r.number;
     p->origProc() = wallLayer::releasedProc;
     p->origId() = r.identity;
     parcelSpin::set(*p, omega);
-    parcelPast::setInitialMass(*p, 0);
+    parcelKind::setInitialMass(*p, 0);
 
     wallCounters& counters = wallCounters::New(this->owner());
     counters.release();
