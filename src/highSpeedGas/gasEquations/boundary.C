@@ -311,7 +311,7 @@ void Foam::gasEquations::wallPressure
         // stopped: the wall sends back the acoustic wave that stops it
         p += pc*max(-0.5, min(0.5, gamma*un/a));
     }
-    else if (un*x > 0 && (un > 0 || passed_ == 0))
+    else if (un*x > 0 && (un > 0 || inTime_))
     {
         // Gas that runs into the wall, the pressure rising towards it, is
         // stopped by a shock: behind the tip of a wedge within a few cells

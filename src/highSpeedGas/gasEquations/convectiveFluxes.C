@@ -120,9 +120,7 @@ void Foam::gasEquations::gradients()
         geometry_.reflectGradients(g);
     };
     fillGhosts();
-    // (the limiter of steady gas lets something pass)
-    const bool inTime = passed_ == 0;
-    if (inTime && slipWallShear_.used())
+    if (inTime_ && slipWallShear_.used())
     {
         slipWallShear_.limit<nDim>(g);
         fillGhosts();

@@ -221,6 +221,7 @@ Foam::gasEquations::gasEquations
     volScalarField& rho,
     surfaceScalarField& phi,
     const bool viscous,
+    const bool inTime,
     const bool steady,
     const bool restarts
 )
@@ -239,6 +240,7 @@ Foam::gasEquations::gasEquations
     highestT_(GREAT),
     warnedOfTemperature_(false),
     viscous_(viscous),
+    inTime_(inTime),
     turbulence_(geometry_, rho, U, phi, thermo, viscous),
     nCutEddies_(0),
     passed_(0),

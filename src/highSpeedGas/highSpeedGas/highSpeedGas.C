@@ -210,7 +210,7 @@ void Foam::highSpeedGas::setEquations(const bool restarts)
         new gasEquations
         (
             mesh_, *thermo_, U_, rho_, phi_, viscous_,
-            mode_ == modeType::steady, restarts
+            mode_ == modeType::transient, mode_ == modeType::steady, restarts
         )
     );
     timeIntegrator_.reset(new RungeKutta(*equations_, stages_));

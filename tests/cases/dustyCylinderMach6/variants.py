@@ -146,9 +146,9 @@ for rake in rakes:
     ok = np.array_equal(chain["origId"], one["origId"])
     dv = (abs(np.hypot(chain["Ux"], chain["Uy"])/v1 - 1).max() if ok
           else np.inf)
-    verdict(f"chainIsFrozen_{rake}", dv <= 1e-4,
+    verdict(f"chainIsFrozen_{rake}", dv <= 1e-9,
             f"speed in the chain against frozen fields {dv:.1e},"
-            " tolerance 1e-4")
+            " tolerance 1e-9")
 
 # A tolerance that the evaluations allowed between two faces do not reach must
 # not throw parcels off in the shock
