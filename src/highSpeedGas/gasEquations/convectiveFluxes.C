@@ -307,7 +307,8 @@ void Foam::gasEquations::readFaces
           ? shareInShock<nDim>
             (
                 qo, qr, g + o*(nVar*nDim), g + r*(nVar*nDim),
-                &geometry_.delta[f*nDim], leastRise, 1e-4*eos_.R*qo[1],
+                &geometry_.delta[f*nDim], leastRise,
+                0.5e-4*eos_.R*(qo[1] + qr[1]),
                 flatFrom_, state.flat[i], strongRise, state.strong[i]
             )
           : 0;

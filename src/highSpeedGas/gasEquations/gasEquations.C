@@ -262,6 +262,12 @@ Foam::gasEquations::gasEquations
     );
     gradient_.resize(geometry_.nSlots()*nVar_*geometry_.nDim());
     readFields(restarts);
+    if (!sensesShocks_ && sticks())
+    {
+        Info<< "Gas: the central fluxes make layers of friction thicker: with"
+            << " 15 cells across one, heat flux is 30 % too high where that of"
+            << " HLLC is within 5 %" << endl;
+    }
 }
 
 

@@ -265,7 +265,8 @@ void Foam::gasEquations::reportOpenPatches(const bool steady) const
             {
                 shocked += geometry_.area[f];
             }
-            returning += un < 0 ? geometry_.area[f] : 0;
+            // (along a patch gas may come by round-off)
+            returning += un < -1e-3*a ? geometry_.area[f] : 0;
         }
         reduce(all, sumOp<scalar>());
         reduce(shocked, sumOp<scalar>());

@@ -65,8 +65,10 @@ void Foam::gasEquations::reportStagnation() const
         return;
     }
 
-    // Gas that has come nearly to rest, at a pressure that only gas behind
-    // no more than one strong shock has: no wake
+    // A bow shock captured in too few cells may bulge and have gas go round
+    // behind it, steadily, like a carbuncle. Here counts gas that has come
+    // nearly to rest, at a pressure that only gas behind no more than one
+    // strong shock has: no wake
     const scalar leastPressure = 0.8*pitot;
     const scalar mostMach = 0.2;
 

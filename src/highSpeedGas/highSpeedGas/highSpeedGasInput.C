@@ -264,7 +264,33 @@ Foam::autoPtr<Foam::fluidThermo> Foam::highSpeedGas::readThermo
         readField(mesh, "U", volVectorField::typeName), "U", dimVelocity
     );
     checkGas(mesh);
-    return fluidThermo::New(mesh);
+    autoPtr<fluidThermo> thermo(fluidThermo::New(mesh));
+    restoreTemperature(thermo->T(), readField(mesh, "T", thermo->T().type()));
+    return thermo;
+}
+
+
+void Foam::highSpeedGas::restoreTemperature
+(
+    volScalarField& T,
+    const dictionary& file
+)
+{
+    T.primitiveFieldRef() = scalarField("internalField", file, T.size());
+    const dictionary& boundary = file.subDict("boundaryField");
+    for (fvPatchScalarField& Tp : T.boundaryFieldRef())
+    {
+        const dictionary* d =
+            boundary.findDict(Tp.patch().name(), keyType::REGEX);
+        if (d && d->found("value"))
+        {
+            Tp == scalarField("value", *d, Tp.size());
+        }
+        else if (Tp.type() == "zeroGradient")
+        {
+            Tp.evaluate();
+        }
+    }
 }
 
 

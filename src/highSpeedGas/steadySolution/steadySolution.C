@@ -298,11 +298,8 @@ void Foam::steadySolution::reportEnd(const scalar gain) const
 }
 
 
-bool Foam::steadySolution::solve(const bool near)
+void Foam::steadySolution::setSchemes()
 {
-    const scalar massBefore = equations_.mass();
-    Info<< "Gas: looking for the steady state" << endl;
-
     // Flat shocks would be felt where they meet a layer of friction: it would
     // come off a plate before a ramp far too late. There they help on the way
     // alone.
@@ -318,6 +315,22 @@ bool Foam::steadySolution::solve(const bool near)
     // pressure and velocity are level on one side of a cell. Those within a
     // layer of friction are to be limited as in time.
     equations_.smoothLimiter(flat ? 1e-2 : 1e-3);
+}
+
+
+void Foam::steadySolution::judge()
+{
+    setSchemes();
+    equations_.computeRate();
+    imbalance_ = equations_.imbalance(settings_.residual);
+}
+
+
+bool Foam::steadySolution::solve(const bool near)
+{
+    const scalar massBefore = equations_.mass();
+    Info<< "Gas: looking for the steady state" << endl;
+    setSchemes();
 
     if (settings_.implicit)
     {
@@ -351,7 +364,7 @@ bool Foam::steadySolution::solve(const bool near)
             {
                 approach(implicit, Co, handOver);
             }
-            equations_.flattenShocks(flat);
+            equations_.flattenShocks(!equations_.sticks());
             equations_.computeRate();
         }
         while (!finished())

@@ -3,7 +3,9 @@
 15 degrees at a sharp corner, against Prandtl and Meyer's expansion (Anderson,
 Modern Compressible Flow, 4.14). A difference scheme leaves an error in the
 cells next to the wall, which flows along it; none may take entropy from the
-gas."""
+gas, and steady gas that is given much is warned of."""
+
+import re
 
 import numpy as np
 from caseTools import (GAMMA, R_GAS, last_fields, must, solve, verdict,
@@ -32,7 +34,7 @@ def expanded():
     return ratio**(GAMMA/(GAMMA - 1)), ratio
 
 
-def case(name, mode, flux):
+def case(name, mode, flux, turn=TURN):
     end = 5/SPEED if mode == "transient" else 1
     write_case(name, {"endTime": end, "deltaT": 1e-3*end, "writeInterval": end,
                       "adjustTimeStep": "yes", "maxCo": 0.4, "maxDeltaT": 1,
@@ -41,7 +43,7 @@ def case(name, mode, flux):
                {"endTime": 1, "deltaT": 1, "writeInterval": 1},
                {"mode": mode}, flux,
                "vanLeer" if mode == "transient" else "vanAlbada")
-    below = -np.tan(TURN)
+    below = -np.tan(turn)
     plane = [(-0.2, 0), (0, 0), (1, below), (-0.2, 1), (0, 1), (1, 1)]
     write_foam(name, "system/blockMeshDict", f"""
 scale 1;
@@ -93,3 +95,18 @@ for mode, flux, hot in (("transient", "HLLC", 0.05),
             f" {least:.3f} (0.6 to 1.02), at the outlet p {last:.4f}"
             f" (1 %), T {t[-1]/exact_T:.3f} ({100*hot:g} %); least entropy in"
             f" the stream's {entropy:.3f} (0.97)")
+
+# What is said of steady gas that gains entropy while it expands, in the cells
+# at the wall by more than a tenth, against the largest that they have
+log = solve(case("steady_weak", "steady", "HLLC", np.radians(8)))
+verdict("weakExpansion_is_not_warned_of", "has expanded" not in log,
+        "corner of 8 degrees")
+p, t = at_wall("steady_HLLC")
+largest = (t/p**((GAMMA - 1)/GAMMA)).max() - 1
+with open("steady_HLLC/log.rhoCentralParcelFoam", encoding="utf-8") as file:
+    said = re.search(r"In (\d+) cells gas that has expanded is hotter .* by up"
+                     r" to (\S+) %", file.read())
+told = float(said[2])/100 if said else np.nan
+verdict("expansion_is_warned_of", 0.5*largest < told < 1.1*largest,
+        f"{told:.3f} of the temperature; largest entropy at the wall"
+        f" {largest:.3f} above the stream's")
