@@ -174,6 +174,7 @@ Foam::autoPtr<Foam::parcelCloudModel> Foam::parcelCloudModel::New
     );
     refuseGravityWithout(forces, rho.mesh());
     stockCloudEntries::refuseSecondDrag(forces);
+    stockCloudEntries::refuseCoefficients(forces);
     refuseOthers
     (
         properties,

@@ -129,8 +129,10 @@ template<class CloudType>
 Foam::pointField
 Foam::CrossSectionInjection<CloudType>::entryTriangles() const
 {
-    // A triangle fan over each face
+    // A triangle fan over each face, or what covers it once if it has corners
+    // that point inwards
     const polyMesh& mesh = this->owner().mesh();
+    const pointField& points = mesh.points();
     DynamicList<point> own;
     for (const label patchi : entryPatches())
     {
@@ -138,11 +140,25 @@ Foam::CrossSectionInjection<CloudType>::entryTriangles() const
         forAll(patch, facei)
         {
             const face& f = patch[facei];
-            for (label i = 1; i < f.size() - 1; ++i)
+            const vector& area = patch.faceAreas()[facei];
+            faceList triangles(f.size() - 2);
+            bool convex = true;
+            forAll(triangles, i)
             {
-                own.append(mesh.points()[f[0]]);
-                own.append(mesh.points()[f[i]]);
-                own.append(mesh.points()[f[i + 1]]);
+                triangles[i] = triFace(f[0], f[i + 1], f[i + 2]).triFaceFace();
+                convex =
+                    convex
+                 && (triangles[i].areaNormal(points) & area)
+                 >= -1e-9*magSqr(area);
+            }
+            if (!convex)
+            {
+                label n = 0;
+                f.triangles(points, n, triangles);
+            }
+            for (const face& triangle : triangles)
+            {
+                own.append(triangle.points(points));
             }
         }
     }
@@ -349,7 +365,12 @@ Foam::CrossSectionInjection<CloudType>::parcel
     const int64_t k
 ) const
 {
-    const auto& size = stream_.sizes()[stream_.sizeOf(k)];
+    const auto& size = stream_.sizes()
+    [
+        quiet_
+      ? stream_.quietSizeOf(k, 2*this->modelIndex())
+      : stream_.sizeOf(k)
+    ];
     return newParcel{p, size.d, size.weight, k, -1};
 }
 

@@ -55,8 +55,21 @@ void Foam::SpinningCloud<CloudType>::checkEmbedded()
     {
         this->rho().name(), U, this->mu().name(), "T", "halfCurl(" + U + ')'
     };
+    wordList valid(gas);
+    valid.append
+    (
+        wordList({"DUcDt", "curlUcDt", "p", "mu", "muc", "rhoc", "Cp", "kappa"})
+    );
     for (const entry& e : schemes)
     {
+        const bool known =
+            e.keyword().isPattern()
+         || valid.found(e.keyword())
+         || this->mesh().objectRegistry::found(e.keyword());
+        if (!known)
+        {
+            unknownWord(schemes, "field", e.keyword(), valid);
+        }
         getWordOf
         (
             schemes, e.keyword(), "",
@@ -76,6 +89,14 @@ void Foam::SpinningCloud<CloudType>::checkEmbedded()
     }
     gas_.reset(new cellGas(this->mesh(), scheme));
 
+    if (solution.found("deltaTMax"))
+    {
+        refuse
+        (
+            solution, "deltaTMax", solution.get<scalar>("deltaTMax"),
+            "none with motion embeddedRK54, whose steps follow the tolerance"
+        );
+    }
     if (this->solution().cellValueSourceCorrection())
     {
         refuse

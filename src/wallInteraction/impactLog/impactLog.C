@@ -149,7 +149,8 @@ void Foam::impactLog::write()
         n += label(bytes.size()/sizeof(record));
     }
 
-    std::sort
+    // Hits of a parcel at one instant stay in the order in which they came
+    std::stable_sort
     (
         all.begin(),
         all.end(),

@@ -153,13 +153,14 @@ for rake in rakes:
 # A tolerance that the evaluations allowed between two faces do not reach must
 # not throw parcels off in the shock
 frozen("strict")
-edit("strict", "constant/sandCloud", "1e-5;", "1e-10;")
+edit("strict", "constant/sandCloud", "1e-5;", "1e-14;")
 log = solve("strict")
 uncontrolled = max(int(n) for n in re.findall(
     r"uncontrolled, at rest *= *(\d+),", log))
 most = max(float(n) for n in re.findall(
     r"Most forces between two faces *= *(\S+)", log))
-verdict("strictForcesBetweenFaces", 30 < most <= 50, f"{most:g} evaluations")
+verdict("strictForcesBetweenFaces", 300 < most <= 500,
+        f"{most:g} evaluations")
 for rake in rakes:
     one, other = first_impacts("frozen1", rake), first_impacts("strict", rake)
     common = np.isin(one["origId"], other["origId"])
@@ -170,4 +171,5 @@ for rake in rakes:
     verdict(f"strictTolerance_{rake}",
             dv <= 1e-3 and np.mean(common) > 0.99 and uncontrolled > 1000,
             f"impact speeds of {len(one)} parcels within {dv:.1e} of the"
-            " stream's of those with a tolerance of 1e-5, tolerance 1e-3")
+            " stream's of those with a tolerance of 1e-5, tolerance 1e-3;"
+            f" {uncontrolled} steps uncontrolled")

@@ -61,6 +61,42 @@ TEST(undisturbedStream, keepsTheShareOfEachSizeAtAnyTime)
 }
 
 
+// An inlet that does not fill the rectangle around it lets a part of a quiet
+// stream in: of each size the same
+TEST(undisturbedStream, sizesOfAPartOfAQuietStream)
+{
+    const int repeats = 50;
+    const int n = 12000;
+    double square = 0;
+    for (int seed = 0; seed < repeats; ++seed)
+    {
+        const undisturbedStream stream
+        (
+            1e-5,
+            {{5e-6, 0.4, 1}, {5e-6, 0.35, 1}, {5e-6, 0.25, 1}},
+            seed
+        );
+        int all = 0;
+        int middle = 0;
+        for (int k = 0; k < n; ++k)
+        {
+            const auto draw = stream.quietOf(k, 1);
+            if (std::fabs(draw.a - 0.5) + std::fabs(draw.b - 0.5) < 0.5)
+            {
+                ++all;
+                middle += stream.quietSizeOf(k, 1) == 1;
+            }
+        }
+        EXPECT_NEAR(all, 0.5*n, 0.01*n);
+        const double error = middle/(0.35*all) - 1;
+        square += error*error/repeats;
+    }
+
+    // Random sizes would be off by 0.018
+    EXPECT_LT(std::sqrt(square), 0.009);
+}
+
+
 namespace
 {
     // What a wall might count: parcels that enter in a part of time and of
@@ -75,7 +111,9 @@ namespace
             const double t = (k + draw.entry)/n;
             if (t > 0.2 && t < 0.9 && draw.a > 0.13 && draw.a < 0.71)
             {
-                sum += (1 + draw.b)*(stream.sizeOf(k) == 1);
+                const int size =
+                    quiet ? stream.quietSizeOf(k, 1) : stream.sizeOf(k);
+                sum += (1 + draw.b)*(size == 1);
             }
         }
         return sum/n;

@@ -73,18 +73,33 @@ impact::undisturbedStream::undisturbedStream
 }
 
 
-int impact::undisturbedStream::sizeOf(std::uint64_t k) const
+int impact::undisturbedStream::classAt(double x) const
 {
-    // k times the golden ratio modulo 1, in integers so that it stays exact
-    const double x =
-        double(((k + 1)*0x9E3779B97F4A7C15ull) >> 11)*0x1p-53;
-
     int j = 0;
     while (x >= share_[j])
     {
         ++j;
     }
     return j;
+}
+
+
+int impact::undisturbedStream::sizeOf(std::uint64_t k) const
+{
+    // k times the golden ratio modulo 1, in integers so that it stays exact
+    return classAt(double(((k + 1)*0x9E3779B97F4A7C15ull) >> 11)*0x1p-53);
+}
+
+
+int impact::undisturbedStream::quietSizeOf
+(
+    std::uint64_t k,
+    std::uint32_t sequence
+) const
+{
+    // Another parcel that there is none of than that of quietOf
+    counterRandom random(seed_, ~std::uint64_t(1), sequence);
+    return classAt(vanDerCorput(k, 7, random.uniform()));
 }
 
 
