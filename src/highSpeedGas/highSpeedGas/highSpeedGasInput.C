@@ -266,7 +266,42 @@ Foam::autoPtr<Foam::fluidThermo> Foam::highSpeedGas::readThermo
     checkGas(mesh);
     autoPtr<fluidThermo> thermo(fluidThermo::New(mesh));
     restoreTemperature(thermo->T(), readField(mesh, "T", thermo->T().type()));
+    for (const word name : {"p", "T"})
+    {
+        warnOfGamma(thermo(), readField(mesh, name, volScalarField::typeName));
+    }
     return thermo;
+}
+
+
+void Foam::highSpeedGas::warnOfGamma
+(
+    const fluidThermo& thermo,
+    const dictionary& file
+)
+{
+    const tmp<volScalarField> gamma(thermo.gamma());
+    const dictionary& boundary = file.subDict("boundaryField");
+    for (const fvPatch& patch : thermo.T().mesh().boundary())
+    {
+        const dictionary* d =
+            boundary.findDict(patch.name(), keyType::REGEX);
+        if (patch.coupled() || !d || !d->found("gamma"))
+        {
+            continue;
+        }
+        const scalar given = d->get<scalar>("gamma");
+        const scalar ofGas =
+            gAverage(gamma().boundaryField()[patch.index()]);
+        if (mag(given - ofGas) > 0.02*ofGas)
+        {
+            IOWarningInFunction(*d)
+                << "Entry gamma is " << given << ", that of the gas on patch "
+                << patch.name() << " is " << ofGas << ": what comes in has"
+                << " another total pressure or temperature than is said"
+                << endl;
+        }
+    }
 }
 
 

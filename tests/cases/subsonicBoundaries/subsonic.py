@@ -3,10 +3,12 @@
 stock rhoCentralFoam, and the mass flow of a subsonic nozzle; stands in a
 temporary folder."""
 
+import re
+
 import numpy as np
 
-from caseTools import (GAMMA, R_GAS, box, copy_case, last_fields, must, solve,
-                       verdict, write_block, write_case, write_field,
+from caseTools import (GAMMA, R_GAS, box, copy_case, edit, last_fields, must,
+                       solve, verdict, write_block, write_case, write_field,
                        write_foam)
 
 CP = GAMMA*R_GAS/(GAMMA - 1)
@@ -124,6 +126,7 @@ write_field(case, "T", T0, dict(
 write_field(case, "U", (100.0, 0, 0), dict(
     ends, xMin="type pressureInletOutletVelocity; value uniform (100 0 0);",
     xMax="type zeroGradient;", walls="type slip;"))
+other = copy_case(case, "otherGamma")
 log = solve(case)
 ratio = (p0/pe)**((GAMMA - 1)/GAMMA)
 exact = (pe*ratio/(R_GAS*T0)*np.sqrt(2*CP*T0*(1 - 1/ratio))*inlet*width)
@@ -135,3 +138,12 @@ mean = flow.mean()/exact - 1
 verdict("mass_flow_of_a_nozzle", "Gas: steady" in log and abs(mean) < 2e-3,
         f"{100*mean:.3f} % from the exact {exact:.5g} kg/s, the last cell"
         f" {100*(flow[-1]/exact - 1):.3f} %")
+
+# Conditions that are told another gas
+for field in "p", "T":
+    edit(other, f"0/{field}", f"gamma {GAMMA};", "gamma 1.667;")
+warned = [len(re.findall(r"Entry gamma is 1\.667, that of the gas on patch xMin"
+                         r" is 1\.4", text.split("warnings, each once")[0]))
+          for text in (log, solve(other))]
+verdict("other_gamma_is_warned_of", warned == [0, 2],
+        f"{warned} warnings with the gas's gamma and another")
