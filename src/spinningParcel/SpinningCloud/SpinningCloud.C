@@ -26,15 +26,27 @@ void Foam::SpinningCloud<CloudType>::setModels()
     // where nothing would read it
     wordList properties({"omega0"});
     wordList models({"rotationalTorqueModel"});
+    const dictionary& constants =
+        this->particleProperties().subDict("constantProperties");
     if (solution.found("heatTransfer"))
     {
         properties.append(heatTransfer::properties);
         models.append("heatTransferModel");
     }
-    stockCloudEntries::checkProperties
-    (
-        this->particleProperties().subDict("constantProperties"), properties
-    );
+    else
+    {
+        for (const word& entry : heatTransfer::properties)
+        {
+            if (constants.found(entry))
+            {
+                FatalIOErrorInFunction(constants)
+                    << "Entry " << entry << " is read by heat transfer alone."
+                    << nl << "Add 'heatTransfer on;' to the block solution, or"
+                    << " remove the entry" << exit(FatalIOError);
+            }
+        }
+    }
+    stockCloudEntries::checkProperties(constants, properties);
     stockCloudEntries::checkModels(this->subModelProperties(), models);
     rotation_ = solution.lookupOrDefault<Switch>("rotation", true);
     torque_ = rotationalTorqueModel::New(this->subModelProperties());
