@@ -4,6 +4,7 @@
 
 #include "highSpeedGas.H"
 #include "checked.H"
+#include "gasEntropy.H"
 #include "processorTime.H"
 #include "runSummary.H"
 #include "shockAlignment.H"
@@ -80,6 +81,7 @@ Foam::highSpeedGas::highSpeedGas(const fvMesh& mesh)
             IOobject::AUTO_WRITE
         )
     ),
+    leastEntropy_(-GREAT),
     steady_(false),
     cpuTime_(0)
 {
@@ -99,6 +101,7 @@ Foam::highSpeedGas::highSpeedGas(const fvMesh& mesh)
     else if (mode_ == modeType::transient)
     {
         state_.remove("imbalance");
+        leastEntropy_ = gasEntropy(*equations_, phi_).least(true);
     }
 
     Info<< "Gas: mode " << modeNames[mode_]
@@ -231,7 +234,10 @@ void Foam::highSpeedGas::report(const bool steady) const
     if (steady)
     {
         equations_->reportStagnation();
-        equations_->reportExpansion();
+        if (!feedback_.valid())
+        {
+            gasEntropy(*equations_, phi_).reportExpansion();
+        }
     }
 }
 
@@ -291,8 +297,9 @@ void Foam::highSpeedGas::align(shockAlignment& alignment)
         round++;
     }
     alignment.report();
-    report(findSteadyState(residual_, true));
+    const bool steady = findSteadyState(residual_, true);
     publish();
+    report(steady);
 }
 
 
@@ -309,6 +316,10 @@ void Foam::highSpeedGas::expectParticles(const bool act)
             << (act ? "the mode is " : "no cloud says 'coupled yes;'")
             << (act ? modeNames[mode_] : word::null) << nl
             << "Valid: no block feedback" << exit(FatalIOError);
+    }
+    if (act)
+    {
+        leastEntropy_ = -GREAT;
     }
     if (act && mode_ == modeType::frozen)
     {
@@ -355,9 +366,9 @@ bool Foam::highSpeedGas::solve()
         // accepted
         const sigFpe::ignore untrapped;
 
+        bool steady = false;
         if (mode_ == modeType::steady)
         {
-            bool steady;
             if (roundEnds)
             {
                 const std::vector<double> before(equations_->primitive);
@@ -369,7 +380,6 @@ bool Foam::highSpeedGas::solve()
             {
                 steady = findSteadyState(residual_, false);
             }
-            report(steady);
             if (feedback_.valid())
             {
                 feedback_->beginStep();
@@ -387,6 +397,10 @@ bool Foam::highSpeedGas::solve()
             }
         }
         publish();
+        if (mode_ == modeType::steady)
+        {
+            report(steady);
+        }
         if (feedback_.valid())
         {
             // Go on from what may be written, so that a restart goes the
@@ -429,6 +443,12 @@ void Foam::highSpeedGas::receive
 void Foam::highSpeedGas::account(runSummary& summary) const
 {
     summary.part("gas", cpuTime_);
+    if (mode_ == modeType::transient)
+    {
+        // (what comes in may have changed)
+        const gasEntropy entropy(*equations_, phi_);
+        entropy.reportLoss(min(leastEntropy_, entropy.least(false)));
+    }
     if (feedback_.valid())
     {
         feedback_->warnUnlessAtRest();
