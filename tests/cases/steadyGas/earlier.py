@@ -43,9 +43,9 @@ short = [("system/fvSolution", "mode steady", "mode transient"),
          ("system/controlDict", "endTime 2;", "endTime 1.000002;"),
          ("system/controlDict", "deltaT 1;", "deltaT 2e-6;"),
          ("system/controlDict", "writeInterval 1;", "writeInterval 2e-6;")]
-again("inTime", "first", short)
-last = times_of("inTime")[-1]
-with open(os.path.join("inTime", last, "uniform", "highSpeedGas"),
+again("thenInTime", "first", short)
+last = times_of("thenInTime")[-1]
+with open(os.path.join("thenInTime", last, "uniform", "highSpeedGas"),
           encoding="utf-8") as file:
     verdict("time_leaves_no_mark", "imbalance" not in file.read(),
             f"uniform/highSpeedGas at {last}")

@@ -250,3 +250,27 @@ TEST(sphereHeat, radiatedIsTheIntegral)
     }
     EXPECT_NEAR(heat.radiatedIn(1e-3, 1000, 300, 1e9), 0, 1);
 }
+
+
+TEST(specificHeat, nothingOnTheWayTakesMoreThanTheSteepest)
+{
+    const specificHeat metal({700, 0.3}, {600, 610, 5e5});
+    for (double T = 300; T < 1500; T += 7.3)
+    {
+        for (double end = 305; end < 1500; end += 11.1)
+        {
+            const double steepest = metal.steepestCp(T, end);
+            for (int i = 1; i <= 50; ++i)
+            {
+                const double x = T + 0.02*i*(end - T);
+                ASSERT_LE
+                (
+                    std::fabs(metal.h(x) - metal.h(T)),
+                    steepest*std::fabs(x - T)*(1 + 1e-9) + 1e-6
+                ) << T << " to " << x;
+            }
+        }
+    }
+    const specificHeat constant({900}, {});
+    EXPECT_EQ(constant.steepestCp(300, 800), 900);
+}
