@@ -33,6 +33,16 @@ impact::impactSettings readSettings(const dictionary& dict)
         name == "rk4" ? scheme::rk4
       : name == "table" ? scheme::table
       : scheme::adaptive;
+    for (const char* entry : {"timeStep", "interpolate"})
+    {
+        if (name != "rk4" && dict.found(entry))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry " << entry << " is one of scheme rk4, and scheme is "
+                << name << nl << "Remove it, or give 'scheme rk4;'"
+                << exit(FatalIOError);
+        }
+    }
     settings.unloading = adhesionEntries::unloading(dict);
     settings.tolerance = getNumber
     (

@@ -119,6 +119,14 @@ impact::reboundCoefficient readPolynomial
     {
         coeffs.readEntry("speedRange", speeds);
     }
+    else if (coeffs.found("speedRange"))
+    {
+        FatalIOErrorInFunction(coeffs)
+            << "Entry speedRange has no meaning for coefficients of one column,"
+            << " which do not depend on the speed." << nl
+            << "Remove it, or give a column for each power of the speed"
+            << exit(FatalIOError);
+    }
     for (const scalar angle : {angles.first(), angles.second()})
     {
         checkNumber(coeffs, "angleRange", angle, "[0, 90] deg");

@@ -187,6 +187,11 @@ void Foam::highSpeedGas::readSettings()
     maxIterations_ =
         getNumber<label>(d, "maxIterations", validRange::count, 10000);
     reportEvery_ = getNumber<label>(d, "reportEvery", validRange::count, 100);
+    if (!steady && d.found("residual"))
+    {
+        Info<< "Gas: residual is an entry of mode steady; this is mode "
+            << modeNames[mode_] << endl;
+    }
     viscous_ = d.getOrDefault
     (
         "viscous", gasEquations::hasViscosity(*thermo_)

@@ -34,14 +34,16 @@ Foam::labelHashSet Foam::shockAlignment::bodyPatches
     (
         one ? wordRes({wordRe(is)}) : dict.get<wordRes>("body")
     );
-    const labelHashSet body(patches.patchSet(names, false));
-    if (body.empty())
+    for (const wordRe& name : names)
     {
-        FatalIOErrorInFunction(dict)
-            << "Entry body " << names << " matches no patch" << nl
-            << "Valid: " << patches.names() << exit(FatalIOError);
+        if (wordRes({name}).matching(patches.names()).empty())
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry body " << name << " matches no patch" << nl
+                << "Valid: " << patches.names() << exit(FatalIOError);
+        }
     }
-    return body;
+    return patches.patchSet(names, false);
 }
 
 

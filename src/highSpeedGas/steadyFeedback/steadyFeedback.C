@@ -120,18 +120,80 @@ Foam::steadyFeedback::steadyFeedback
     if (mag(old.getOrDefault("deltaT", dt)/dt - 1) > 1e-4 && nSteps_ > 0)
     {
         Info<< "Gas: the time step has changed, a round begins anew" << endl;
-        nSteps_ = 0;
-        momentum_.field() = Zero;
-        energy_.field() = 0;
+        clearRound();
     }
     equations_.setSources(force_.field(), power_.field());
     store();
 }
 
 
-bool Foam::steadyFeedback::roundEnds() const
+bool Foam::steadyFeedback::roundEnds()
 {
-    return open() && nSteps_ >= roundSteps();
+    if (nSteps_ < roundSteps())
+    {
+        return false;
+    }
+    if (rests_)
+    {
+        lookAgain();
+    }
+    return open();
+}
+
+
+Foam::scalar Foam::steadyFeedback::perTime() const
+{
+    return
+        1
+       /(
+            equations_.mesh().time().deltaTValue()
+           *(roundSteps() - delaySteps())
+        );
+}
+
+
+void Foam::steadyFeedback::lookAgain()
+{
+    const vectorField F(perTime()*momentum_.field());
+    const scalarField P(perTime()*energy_.field());
+    const auto relative =
+        [](const scalar change, const scalar a, const scalar b)
+        {
+            return change/max(max(a, b), VSMALL);
+        };
+    const scalar newForce = relative
+    (
+        mag(gSum(F) - gSum(force_.field())), gSum(mag(F)()),
+        gSum(mag(force_.field())())
+    );
+    const scalar newPower = relative
+    (
+        mag(gSum(P) - gSum(power_.field())), gSum(mag(P)()),
+        gSum(mag(power_.field())())
+    );
+
+    // Averages scatter by more than the last ones happened to differ
+    const scalar bound = 30*tolerance_;
+    rests_ = max(newForce, newPower) <= bound;
+    if (rests_)
+    {
+        clearRound();
+        return;
+    }
+    WarningInFunction
+        << "Gas and particles had come to rest, but the particles give"
+        << " something else by now: new in force and power " << newForce << ", "
+        << newPower << ", more than " << bound << " (30 times the tolerance)."
+        << " The gas is marched again; statistics up to here are those of"
+        << " particles in another gas." << endl;
+}
+
+
+void Foam::steadyFeedback::clearRound()
+{
+    momentum_.field() = Zero;
+    energy_.field() = 0;
+    nSteps_ = 0;
 }
 
 
@@ -191,22 +253,20 @@ void Foam::steadyFeedback::setShare
 
 void Foam::steadyFeedback::endRound()
 {
-    const scalar perTime =
-        1
-       /(
-            equations_.mesh().time().deltaTValue()
-           *(roundSteps() - delaySteps())
-        );
-    const vectorField dF(perTime*momentum_.field() - force_.field());
-    const scalarField dP(perTime*energy_.field() - power_.field());
+    const vectorField dF(perTime()*momentum_.field() - force_.field());
+    const scalarField dP(perTime()*energy_.field() - power_.field());
     setShare(dF, dP);
     forceChange_.field() = dF;
     powerChange_.field() = dP;
     force_.field() += share_*dF;
     power_.field() += share_*dP;
 
-    const scalar F = max(gSum(mag(force_.field())), VSMALL);
-    const scalar P = max(gSum(mag(power_.field())), VSMALL);
+    const auto size = [](const scalar now, const scalar change)
+    {
+        return max(max(now, change), VSMALL);
+    };
+    const scalar F = size(gSum(mag(force_.field())()), gSum(mag(dF)()));
+    const scalar P = size(gSum(mag(power_.field())()), gSum(mag(dP)()));
     newSources_ = max(mag(gSum(dF))/F, mag(gSum(dP))/P);
     Info<< "Gas: round " << round_ + 1 << " of the particles ends: they give "
         << gSum(force_.field()) << " N and " << gSum(power_.field())
@@ -214,9 +274,7 @@ void Foam::steadyFeedback::endRound()
         << ", cell by cell " << gSum(mag(dF)())/F << ", "
         << gSum(mag(dP)())/P << ", of which " << share_ << " is taken" << endl;
 
-    momentum_.field() = Zero;
-    energy_.field() = 0;
-    nSteps_ = 0;
+    clearRound();
     round_++;
     equations_.setSources(force_.field(), power_.field());
 }
@@ -275,7 +333,12 @@ void Foam::steadyFeedback::compare
         largest = max(largest, change);
         Info<< ' ' << change;
     }
-    rests_ = steady && largest <= tolerance_ && newSources_ <= tolerance_;
+
+    // Before any particle has met the gas nothing changes, either
+    const bool given =
+        gSum(mag(force_.field())()) > 0 || gSum(mag(power_.field())()) > 0;
+    rests_ =
+        given && steady && largest <= tolerance_ && newSources_ <= tolerance_;
     Info<< (rests_ ? ": gas and particles rest" : "") << endl;
     if (!rests_ && round_ == maxRounds_)
     {
@@ -285,6 +348,7 @@ void Foam::steadyFeedback::compare
             << ", what the particles give by " << newSources_
             << ", tolerance " << tolerance_
             << (steady ? "" : ", and the gas is not steady")
+            << (given ? "" : ". No particle has acted on it")
             << ". A longer window, more parcels or a smaller relaxation may"
             << " help." << endl;
     }
@@ -294,7 +358,7 @@ void Foam::steadyFeedback::compare
 
 void Foam::steadyFeedback::beginStep()
 {
-    if (open())
+    if (rests_ || open())
     {
         nSteps_++;
         store();
@@ -308,7 +372,7 @@ void Foam::steadyFeedback::receive
     const scalarField& energy
 )
 {
-    if (open() && nSteps_ > delaySteps())
+    if ((rests_ || open()) && nSteps_ > delaySteps())
     {
         momentum_.field() += momentum;
         energy_.field() += energy;

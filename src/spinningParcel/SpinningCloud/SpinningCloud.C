@@ -64,6 +64,14 @@ void Foam::SpinningCloud<CloudType>::setModels()
       : getWord(solution, "motion", motions)
     );
 
+    if (motion == "stock" && coeffs && coeffs->found("tolerance"))
+    {
+        refuse
+        (
+            *coeffs, "tolerance", coeffs->get<scalar>("tolerance"),
+            "none with motion stock, which has no error control"
+        );
+    }
     if (motion == "embeddedRK54")
     {
         const scalar tolerance =

@@ -258,7 +258,17 @@ bool Foam::SpinningParcel<ParcelType>::hitPatch
     }
     else
     {
+        const vector U0(this->U());
+        const vector n(normalised(this->mesh().faceAreas()[this->face()]));
         const bool done = ParcelType::hitPatch(cloud, td);
+
+        // The eddy of a parcel that has been thrown back is as if seen in a
+        // mirror, as at a symmetry plane: else it would press the parcel to
+        // the wall for as long as it lives
+        if (((this->U() - U0) & n) < 0)
+        {
+            this->UTurb_ = transform(I - 2*sqr(n), this->UTurb_);
+        }
 
         // Wall laws evaluated without spin may have left one
         if (!td.rotation())

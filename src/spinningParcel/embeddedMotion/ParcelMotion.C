@@ -245,11 +245,23 @@ bool Foam::ParcelMotion<CloudType, Force>::stuck
 
 
 template<class CloudType, class Force>
-Foam::scalar Foam::ParcelMotion<CloudType, Force>::rest()
+Foam::scalar Foam::ParcelMotion<CloudType, Force>::rest(const label wall)
 {
-    const scalar pause = min(remaining(), 0.1*trackTime_);
+    scalar pause = min(remaining(), 0.1*trackTime_);
     placeForce();
     State state = now();
+    if (wall >= 0)
+    {
+        // Slide, a trace off the wall, no further than its cell goes
+        const impact::vector3 n = cells_.normal(wall);
+        const impact::vector3 slip =
+            impact::multiply(moving_, state.v - impact::dot(state.v, n)*n)
+          - 1e-9*impact::mag(state.v)*n;
+        label ahead = -1;
+        const scalar end = cells_.exitTime(cell_, x_, slip, pause, ahead);
+        pause = end > 1e-3*pause ? min(end, pause) : pause;
+        x_ = x_ + min(end, pause)*slip;
+    }
     const auto rate = force_(state);
     force_.done();
     --left_;
@@ -382,7 +394,8 @@ bool Foam::ParcelMotion<CloudType, Force>::move()
         const bool bounded = a.place >= 0 && next < 0;
         const label patchi =
             bounded ? cells_.boundary()[-1 - next].patch : -1;
-        const scalar t = stuck(a.t, patchi) ? a.t + rest() : a.t;
+        const scalar t =
+            stuck(a.t, patchi) ? a.t + rest(bounded ? a.place : -1) : a.t;
         if (eddies_)
         {
             p_.tTurb() -= t;

@@ -612,6 +612,7 @@ void Foam::surfaceImpactStatistics::end()
             {
                 // The solver does one more step, with a write
                 stopped_ = true;
+                met_ = largestError();
                 time.stopAt(Time::saWriteNow);
             }
         }

@@ -427,7 +427,9 @@ void Foam::surfaceImpactStatistics::report() const
         Info<< ", target " << stop_->target << nl;
         if (stopped_)
         {
-            Info<< "    the target is met: the run ends" << nl;
+            // (the step with the last write may have closed another block)
+            Info<< "    the target has been met with " << met_
+                << ": the run ends" << nl;
         }
     }
     Info<< endl;
