@@ -428,8 +428,8 @@ void Foam::surfaceImpactStatistics::report() const
         if (stopped_)
         {
             // (the step with the last write may have closed another block)
-            Info<< "    the target has been met with " << met_
-                << ": the run ends" << nl;
+            Info<< "    the target is met: " << met_
+                << ", the run ends" << nl;
         }
     }
     Info<< endl;
