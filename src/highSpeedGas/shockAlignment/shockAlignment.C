@@ -4,6 +4,7 @@
 
 #include "shockAlignment.H"
 #include "checked.H"
+#include "polyMeshTetDecomposition.H"
 #include "volFields.H"
 #include "wallPolyPatch.H"
 
@@ -232,6 +233,24 @@ void Foam::shockAlignment::report() const
             << "The shock still moves by " << 100*change_
             << " % of its distance after " << moves_
             << " moves of the mesh" << endl;
+    }
+
+    // Band cells thinner than their faces are warped
+    label n = 0;
+    for
+    (
+        const label base : polyMeshTetDecomposition::findFaceBasePts(mesh_)
+    )
+    {
+        n += base < 0;
+    }
+    reduce(n, sumOp<label>());
+    if (n)
+    {
+        WarningInFunction
+            << n << " faces of the mesh have no decomposition into tetrahedra,"
+            << " which clouds need (checkMesh -allGeometry says where). Take a"
+            << " larger bandWidth, or more cells along the body" << endl;
     }
 }
 

@@ -325,6 +325,6 @@ Foam::cellPlanes::cellPlanes
         {
             FatalError<< mesh.cellCentres()[badCell];
         }
-        FatalError<< ". Improve the mesh (checkMesh)." << exit(FatalError);
+        FatalError<< ". Improve the mesh (checkMesh -allGeometry)." << exit(FatalError);
     }
 }
