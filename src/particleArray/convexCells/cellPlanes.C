@@ -325,6 +325,8 @@ Foam::cellPlanes::cellPlanes
         {
             FatalError<< mesh.cellCentres()[badCell];
         }
-        FatalError<< ". Improve the mesh (checkMesh -allGeometry)." << exit(FatalError);
+        FatalError
+            << ". Improve the mesh (checkMesh -allGeometry)."
+            << exit(FatalError);
     }
 }

@@ -97,7 +97,7 @@ int impact::undisturbedStream::quietSizeOf
     std::uint32_t sequence
 ) const
 {
-    // Another parcel that there is none of than that of quietOf
+    // A number that no parcel has, and not that of quietOf
     counterRandom random(seed_, ~std::uint64_t(1), sequence);
     return classAt(vanDerCorput(k, 7, random.uniform()));
 }
