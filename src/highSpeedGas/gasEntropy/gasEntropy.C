@@ -45,21 +45,40 @@ std::vector<double> Foam::gasEntropy::gathered
         }
     };
 
+    // Only of a supersonic flow: gas in a wake comes round again. And not where
+    // streams of different entropy mix.
     const double leastFall = 0.02;      // Of ln p
+    const double mostMixed = 0.05;      // Standard deviation of what comes in
     std::vector<double> inflow(nCells, 0);
     std::vector<double> change(nCells, 0);
+    std::vector<char> follows(nCells);
     for (label c = 0; c < nCells; c++)
     {
-        const double logP = std::log(equations_.primitive[c*nVar]);
+        const double* q = &equations_.primitive[c*nVar];
+        const double logP = std::log(q[0]);
         const double entropy = at(c);
+        double uu = 0;
+        for (int k = 2; k < nVar; k++)
+        {
+            uu += q[k]*q[k];
+        }
+        follows[c] =
+            uu > equations_.equationOfState().soundSpeedSqr<false>(q[1]);
         double fall = 0;
+        double square = 0;
         upstream(c, [&](const label u, const double in)
         {
+            const double gain = entropy - at(u);
             inflow[c] += in;
             fall += in*(std::log(equations_.primitive[u*nVar]) - logP);
-            change[c] += in*(entropy - at(u));
+            change[c] += in*gain;
+            square += in*gain*gain;
         });
-        change[c] = fall > leastFall*inflow[c] ? change[c]/inflow[c] : 0;
+        const double mean = change[c]/max(inflow[c], VSMALL);
+        const bool counts =
+            follows[c] && fall > leastFall*inflow[c]
+         && square/max(inflow[c], VSMALL) - mean*mean < sqr(mostMixed);
+        change[c] = counts ? mean : 0;
     }
 
     // It goes downstream, in sweeps there and back; before the last ones are
@@ -78,7 +97,7 @@ std::vector<double> Foam::gasEntropy::gathered
                 sum += in*total[u];
             });
             const double next =
-                change[c] + (inflow[c] > 0 ? sum/inflow[c] : 0);
+                follows[c] && inflow[c] > 0 ? change[c] + sum/inflow[c] : 0;
             step = max(step, mag(next - total[c]));
             total[c] = next;
         }
@@ -177,8 +196,8 @@ void Foam::gasEntropy::reportLoss(const scalar least) const
             << " had at the start or comes in with, which no gas can lose: for"
             << " its pressure it is up to " << 100*(1 - std::exp(-e.largest))
             << " % too cold, at " << e.place << ". Where it expands the cells"
-            << " are too large for that: round the corner off and take more"
-            << " cells along it" << endl;
+            << " are too large for that: take more of them along the flow, and"
+            << " round corners off" << endl;
     }
 }
 
@@ -214,9 +233,9 @@ void Foam::gasEntropy::reportExpansion() const
                 << " than an expansion without losses leaves it, by up to "
                 << 100*mag(std::exp(sign*e.largest) - 1) << " % at "
                 << e.place << ". The gas is steady, but the cells where the"
-                << " expansion begins are too large for it: round the corner"
-                << " off and take more cells along it. Behind a sharp corner"
-                << " smaller cells make the layer thinner, not better" << endl;
+                << " expansion begins are too large for it: take more of them"
+                << " along the flow. At a corner round it off: smaller cells"
+                << " alone make the layer behind thinner, not better" << endl;
         }
     }
 }

@@ -105,7 +105,9 @@ Foam::highSpeedGas::highSpeedGas(const fvMesh& mesh)
     }
 
     Info<< "Gas: mode " << modeNames[mode_]
-        << (steady_ ? ", steady since an earlier run" : "") << endl;
+        << (steady_ ? ", steady since an earlier run" : "")
+        << (steady_ && equations_->turbulent() ? ", eddies as read" : "")
+        << endl;
 }
 
 
@@ -397,6 +399,12 @@ bool Foam::highSpeedGas::solve()
             }
         }
         publish();
+        if (leastEntropy_ > -GREAT)
+        {
+            // (what comes in may change)
+            leastEntropy_ =
+                min(leastEntropy_, gasEntropy(*equations_, phi_).least(false));
+        }
         if (mode_ == modeType::steady)
         {
             report(steady);
@@ -443,12 +451,7 @@ void Foam::highSpeedGas::receive
 void Foam::highSpeedGas::account(runSummary& summary) const
 {
     summary.part("gas", cpuTime_);
-    if (mode_ == modeType::transient)
-    {
-        // (what comes in may have changed)
-        const gasEntropy entropy(*equations_, phi_);
-        entropy.reportLoss(min(leastEntropy_, entropy.least(false)));
-    }
+    gasEntropy(*equations_, phi_).reportLoss(leastEntropy_);
     if (feedback_.valid())
     {
         feedback_->warnUnlessAtRest();

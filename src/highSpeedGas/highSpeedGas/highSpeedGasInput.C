@@ -298,7 +298,7 @@ void Foam::highSpeedGas::warnOfGamma
         const scalar given = d->get<scalar>("gamma");
         const scalar ofGas =
             gAverage(gamma().boundaryField()[patch.index()]);
-        if (mag(given - ofGas) > 0.02*ofGas)
+        if (ofGas > 0 && mag(given - ofGas) > 0.02*ofGas)
         {
             IOWarningInFunction(*d)
                 << "Entry gamma is " << given << ", that of the gas on patch "

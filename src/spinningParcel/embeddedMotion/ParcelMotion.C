@@ -252,13 +252,32 @@ Foam::scalar Foam::ParcelMotion<CloudType, Force>::rest(const label wall)
     State state = now();
     if (wall >= 0)
     {
-        // Slide, a trace off the wall, no further than its cell goes
-        const impact::vector3 n = cells_.normal(wall);
-        const impact::vector3 slip =
-            impact::multiply(moving_, state.v - impact::dot(state.v, n)*n)
-          - 1e-9*impact::mag(state.v)*n;
+        // Slide, a trace off the wall, no further than its cell goes; along
+        // the edge if it lies on two
+        impact::vector3 off = cells_.normal(wall);
+        impact::vector3 slip = state.v - impact::dot(state.v, off)*off;
         label ahead = -1;
-        const scalar end = cells_.exitTime(cell_, x_, slip, pause, ahead);
+        const auto leaves = [&]()
+        {
+            slip =
+                impact::multiply(moving_, slip) - 1e-9*impact::mag(state.v)*off;
+            return cells_.exitTime(cell_, x_, slip, pause, ahead);
+        };
+        scalar end = leaves();
+        if
+        (
+            end <= 1e-3*pause && ahead >= 0 && ahead != wall
+         && cells_.behind(ahead, x_) < 0
+        )
+        {
+            const impact::vector3 other = cells_.normal(ahead);
+            const impact::vector3 edge = impact::cross(off, other);
+            slip =
+                impact::dot(state.v, edge)
+               /max(impact::dot(edge, edge), SMALL)*edge;
+            off = off + other;
+            end = leaves();
+        }
         pause = end > 1e-3*pause ? min(end, pause) : pause;
         x_ = x_ + min(end, pause)*slip;
     }
@@ -394,8 +413,10 @@ bool Foam::ParcelMotion<CloudType, Force>::move()
         const bool bounded = a.place >= 0 && next < 0;
         const label patchi =
             bounded ? cells_.boundary()[-1 - next].patch : -1;
+        const bool atWall =
+            bounded && !cells_.mesh().boundaryMesh()[patchi].coupled();
         const scalar t =
-            stuck(a.t, patchi) ? a.t + rest(bounded ? a.place : -1) : a.t;
+            stuck(a.t, patchi) ? a.t + rest(atWall ? a.place : -1) : a.t;
         if (eddies_)
         {
             p_.tTurb() -= t;

@@ -1,7 +1,7 @@
 # parcelImpact. License: GPL-3.0-or-later, see COPYING.
-"""Grains that fall onto a plane, bounce out and slide along it in gravity at a
-slope: where they get to must not depend on the time step, which is longer than
-their last bounces."""
+"""Grains that fall onto a plane, or into the edge of two, bounce out and slide
+along in gravity at a slope: where they get to must not depend on the time step,
+which is longer than their last bounces."""
 
 from caseTools import (box, must, read_field, solve, times_of, verdict,
                        write_block, write_case, write_field, write_foam)
@@ -36,8 +36,8 @@ subModels
     {{
         patches
         (
-            yMin {{ restitution 0.5; friction {FRICTION}; }}
-            "(x|yMax|z).*" {{ type escape; }}
+            "[yz]Min" {{ restitution 0.5; friction {FRICTION}; }}
+            "x.*|[yz]Max" {{ type escape; }}
         );
     }}
     dispersionModel none; stochasticCollisionModel none;
@@ -47,22 +47,27 @@ cloudFunctions {{}}
 """
 
 
-def place(name, dt):
+def place(name, dt, aside=0.0):
     write_case(name, {"endTime": END, "deltaT": dt, "writeInterval": END,
                       "writeFormat": "ascii",
                       "libs": "(spinningParcel parcelInjection)"},
                {"mode": "frozen"})
     kinds = {s + e: "patch" for s in "xyz" for e in ("Min", "Max")}
-    kinds["yMin"] = "wall"
+    kinds["yMin"] = kinds["zMin"] = "wall"
     write_block(name, box((0.05, 0.01, 0.04)), (10, 2, 2), kinds)
     sides = dict.fromkeys(kinds, "type zeroGradient;")
     write_field(name, "p", 1e5, sides)
     write_field(name, "T", 300.0, sides)
     write_field(name, "U", (0.0, 0.0, 0.0), sides)
     write_foam(name, "constant/g",
-               f"dimensions [0 1 -2 0 0 0 0]; value ({PULL} {-DOWN} 0);",
+               f"dimensions [0 1 -2 0 0 0 0]; value ({PULL} {-DOWN} {-aside!r});",
                "uniformDimensionedVectorField")
-    write_foam(name, "constant/dustProperties", CLOUD)
+    cloud = CLOUD
+    if aside:
+        # Smooth walls, so that nothing but gravity acts along the edge
+        cloud = cloud.replace(f"friction {FRICTION}", "friction 0")
+        cloud = cloud.replace("1e-4 0.02)", "1e-4 1e-4)")
+    write_foam(name, "constant/dustProperties", cloud)
     write_foam(name, "constant/parcelClouds", "clouds (dust);")
     must(name, "blockMesh")
     solve(name)
@@ -82,3 +87,11 @@ for name, dt in ("slideShort", 1e-4), ("slide", 1e-3), ("slideLong", 1e-2):
             f"deltaT {dt:g}: way {100*way:.2f} % and speed {100*velocity:.2f}"
             " % more than those of a grain that slides from the start; bounds"
             " 0 to 5 and 3 %")
+
+for name, dt in ("edge", 1e-3), ("edgeLong", 1e-2):
+    x, u = place(name, dt, 7.0)
+    way, speed = (x[0] - START)/(0.5*PULL*END**2) - 1, u[0]/(PULL*END) - 1
+    verdict(name, abs(way) < 0.005 and abs(speed) < 1e-3
+            and max(abs(x[1:])) < 1e-4,
+            f"deltaT {dt:g}: way off by {100*way:.2f} % and speed by"
+            f" {100*speed:.3f} %, bounds 0.5 and 0.1 %")
