@@ -127,11 +127,7 @@ bool Foam::highSpeedGas::isStillSteady()
         return true;    // The sources come later, and each round looks anew
     }
 
-    steadySolution solution
-    (
-        *equations_,
-        {implicit_, stages_, maxCo_, residual_, maxIterations_, reportEvery_}
-    );
+    steadySolution solution(solutionTo(residual_));
     solution.judge();
     const scalar ofDigits = 1e-4;       // What a file with six may take
     if (solution.imbalance().value() <= max(ofDigits, residual_))
@@ -212,17 +208,23 @@ void Foam::highSpeedGas::publish(const bool asWritten)
 }
 
 
+Foam::steadySolution Foam::highSpeedGas::solutionTo(const scalar residual)
+{
+    return steadySolution
+    (
+        *equations_,
+        {implicit_, stages_, maxCo_, residual, maxIterations_, reportEvery_}
+    );
+}
+
+
 bool Foam::highSpeedGas::findSteadyState
 (
     const scalar residual,
     const bool near
 )
 {
-    steadySolution solution
-    (
-        *equations_,
-        {implicit_, stages_, maxCo_, residual, maxIterations_, reportEvery_}
-    );
+    steadySolution solution(solutionTo(residual));
     const bool steady = solution.solve(near);
     state_.set("imbalance", solution.imbalance().value());
     state_.set("iterations", solution.iterations());

@@ -23,6 +23,13 @@ IOobject sourceField(const fvMesh& mesh, const word& name)
     );
 }
 
+//- The larger sum of magnitudes, not zero
+template<class Field>
+scalar larger(const Field& a, const Field& b)
+{
+    return max(max(gSum(mag(a)()), gSum(mag(b)())), VSMALL);
+}
+
 } // End anonymous namespace
 
 
@@ -156,21 +163,10 @@ void Foam::steadyFeedback::lookAgain()
 {
     const vectorField F(perTime()*momentum_.field());
     const scalarField P(perTime()*energy_.field());
-    const auto relative =
-        [](const scalar change, const scalar a, const scalar b)
-        {
-            return change/max(max(a, b), VSMALL);
-        };
-    const scalar newForce = relative
-    (
-        mag(gSum(F) - gSum(force_.field())), gSum(mag(F)()),
-        gSum(mag(force_.field())())
-    );
-    const scalar newPower = relative
-    (
-        mag(gSum(P) - gSum(power_.field())), gSum(mag(P)()),
-        gSum(mag(power_.field())())
-    );
+    const scalar newForce =
+        mag(gSum(F) - gSum(force_.field()))/larger(force_.field(), F);
+    const scalar newPower =
+        mag(gSum(P) - gSum(power_.field()))/larger(power_.field(), P);
 
     // Averages scatter by more than the last ones happened to differ
     const scalar bound = 30*tolerance_;
@@ -261,12 +257,8 @@ void Foam::steadyFeedback::endRound()
     force_.field() += share_*dF;
     power_.field() += share_*dP;
 
-    const auto size = [](const scalar now, const scalar change)
-    {
-        return max(max(now, change), VSMALL);
-    };
-    const scalar F = size(gSum(mag(force_.field())()), gSum(mag(dF)()));
-    const scalar P = size(gSum(mag(power_.field())()), gSum(mag(dP)()));
+    const scalar F = larger(force_.field(), dF);
+    const scalar P = larger(power_.field(), dP);
     newSources_ = max(mag(gSum(dF))/F, mag(gSum(dP))/P);
     Info<< "Gas: round " << round_ + 1 << " of the particles ends: they give "
         << gSum(force_.field()) << " N and " << gSum(power_.field())

@@ -6,6 +6,7 @@ import re
 
 from caseTools import (box, must, solve, verdict, write_block, write_case,
                        write_field, write_foam)
+from spinningCloud import write_cloud
 
 SPEED, P, T = 1200.0, 1e5, 400.0
 STEP, ROUND = 2e-6, 4e-4
@@ -30,35 +31,12 @@ for name, value in ("p", P), ("T", T), ("U", (SPEED, 0.0, 0.0)):
     text = f"({SPEED!r} 0 0)" if name == "U" else repr(value)
     write_field(case, name, value,
                 {**sides, "xMin": f"type fixedValue; value uniform {text};"})
-write_foam(case, "constant/sandProperties", f"""
-type spinningKinematicCloud;
-solution
-{{
-    active yes; coupled yes; transient yes; cellValueSourceCorrection off;
-    rotation off; motion {{ type embeddedRK54; tolerance 1e-5; }}
-    interpolationSchemes {{}}
-    integrationSchemes {{ U Euler; }}
-}}
-constantProperties {{ rho0 2500; }}
-subModels
-{{
-    particleForces {{ hendersonDrag; }}
-    injectionModels
-    {{
-        sand
-        {{
-            type crossSectionInjection; patches (xMin); U0 (700 0 0);
-            volumeFraction 1e-4; diameter 2e-5; nParticle 20;
-            arrival quiet; startTime {FIRST!r}; duration {LAST - FIRST!r};
-        }}
-    }}
-    patchInteractionModel standardWallInteraction;
-    standardWallInteractionCoeffs {{ type escape; }}
-    dispersionModel none; stochasticCollisionModel none;
-    surfaceFilmModel none;
-}}
-cloudFunctions {{}}
-""")
+write_cloud(
+    case, "sand", f"""
+    type crossSectionInjection; patches (xMin); U0 (700 0 0);
+    volumeFraction 1e-4; diameter 2e-5; nParticle 20; arrival quiet;
+    startTime {FIRST!r}; duration {LAST - FIRST!r};""",
+    forces="hendersonDrag;", coupled="yes")
 write_foam(case, "constant/parcelClouds", "clouds (sand);")
 must(case, "blockMesh")
 log = solve(case)

@@ -8,6 +8,7 @@ import numpy as np
 
 from caseTools import (must, solve, verdict, write_block, write_case,
                        write_field, write_foam)
+from spinningCloud import write_cloud
 
 # The last corner lies within the triangle of the others
 CORNERS = np.array([(0.1, 1), (0, 0), (1, 0), (0.4, 0.35)])
@@ -23,35 +24,9 @@ sides = {s + e: "type zeroGradient;" for s in "xyz" for e in ("Min", "Max")}
 write_field(case, "p", 1e5, sides)
 write_field(case, "T", 300.0, sides)
 write_field(case, "U", (0.0, 0.0, SPEED), sides)
-write_foam(case, "constant/dustProperties", f"""
-type spinningKinematicCloud;
-solution
-{{
-    active yes; coupled no; transient yes; cellValueSourceCorrection off;
-    motion {{ type embeddedRK54; tolerance 1e-5; }}
-    interpolationSchemes {{}}
-    integrationSchemes {{ U Euler; }}
-}}
-constantProperties {{ rho0 2500; }}
-subModels
-{{
-    particleForces {{}}
-    rotationalTorqueModel none;
-    injectionModels
-    {{
-        stream
-        {{
-            type crossSectionInjection; volumeFraction {SHARE!r};
-            diameter {DIAMETER!r}; U0 (0 0 {SPEED!r}); patches (zMin);
-        }}
-    }}
-    patchInteractionModel standardWallInteraction;
-    standardWallInteractionCoeffs {{ type escape; }}
-    dispersionModel none; stochasticCollisionModel none;
-    surfaceFilmModel none;
-}}
-cloudFunctions {{}}
-""")
+write_cloud(case, "dust", f"""
+    type crossSectionInjection; volumeFraction {SHARE!r};
+    diameter {DIAMETER!r}; U0 (0 0 {SPEED!r}); patches (zMin);""")
 write_foam(case, "constant/parcelClouds", "clouds (dust);")
 must(case, "blockMesh")
 log = solve(case)

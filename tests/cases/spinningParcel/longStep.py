@@ -8,39 +8,8 @@ import re
 from caseTools import (box, copy_case, edit, must, read_field, solve, times_of,
                        verdict, write_block, write_case, write_field,
                        write_foam)
+from spinningCloud import write_cloud
 
-CLOUD = """
-type spinningKinematicCloud;
-solution
-{
-    active yes; coupled no; transient yes; cellValueSourceCorrection off;
-    maxCo 0.3; rotation off; heatTransfer on;
-    motion { type embeddedRK54; tolerance TOLERANCE; }
-    interpolationSchemes {}
-    integrationSchemes { U Euler; }
-}
-constantProperties
-{
-    rho0 2200; T0 350; Cp0 (600 0.5); epsilon0 0.8; TSurroundings 900;
-    melting { solidus 500; liquidus 560; latentHeat 2e5; }
-}
-subModels
-{
-    particleForces { singhDrag; }
-    injectionModels
-    {
-        grain
-        {
-            type rakeInjection; start (0.37 0.41 0.53); end (0.37 0.41 0.53);
-            nParcels 1; diameter 8e-6; U0 (-20 50 20);
-        }
-    }
-    patchInteractionModel none; dispersionModel none;
-    stochasticCollisionModel none; surfaceFilmModel none;
-    heatTransferModel kavanau;
-}
-cloudFunctions {}
-"""
 END = 1e-3
 TOLERANCES = {"coarse": 1e-3, "usual": 1e-5, "fine": 1e-8}
 
@@ -57,8 +26,16 @@ write_field(case, "T", 650.0, sides)
 write_field(case, "U", (180.0, 60.0, 0.0), sides)
 must(case, "blockMesh")
 for name, tolerance in TOLERANCES.items():
-    write_foam(case, f"constant/{name}Properties",
-               CLOUD.replace("TOLERANCE", repr(tolerance)))
+    write_cloud(
+        case, name, """
+        type rakeInjection; start (0.37 0.41 0.53); end (0.37 0.41 0.53);
+        nParcels 1; diameter 8e-6; U0 (-20 50 20);""",
+        forces="singhDrag;", walls="patchInteractionModel none;",
+        models="heatTransferModel kavanau;", solution="heatTransfer on;",
+        constants="""rho0 2200; T0 350; Cp0 (600 0.5); epsilon0 0.8;
+        TSurroundings 900;
+        melting { solidus 500; liquidus 560; latentHeat 2e5; }""",
+        tolerance=tolerance)
 write_foam(case, "constant/parcelClouds", f"clouds ({' '.join(TOLERANCES)});")
 short = copy_case(case, "shortStep")
 edit(short, "system/controlDict", f"deltaT {END};", f"deltaT {END/40};")

@@ -6,45 +6,10 @@ which is longer than their last bounces."""
 from caseTools import (box, must, read_field, solve, times_of, verdict,
                        write_block, write_case, write_field, write_foam)
 from foamFiles import positions
+from spinningCloud import write_cloud
 
 END, START = 0.12, 0.002
 PULL, DOWN, FRICTION = 5.0, 9.81, 0.2
-
-CLOUD = f"""
-type spinningKinematicCloud;
-solution
-{{
-    active yes; coupled no; transient yes; cellValueSourceCorrection off;
-    rotation off; motion {{ type embeddedRK54; tolerance 1e-5; }}
-    interpolationSchemes {{}}
-    integrationSchemes {{ U Euler; }}
-}}
-constantProperties {{ rho0 2500; }}
-subModels
-{{
-    particleForces {{ gravity; }}
-    injectionModels
-    {{
-        grain
-        {{
-            type rakeInjection; start ({START} 1e-4 0.02);
-            end ({START} 1e-4 0.02); nParcels 1; diameter 2e-3; U0 (0 0 0);
-        }}
-    }}
-    patchInteractionModel hardSphereWall;
-    hardSphereWallCoeffs
-    {{
-        patches
-        (
-            "[yz]Min" {{ restitution 0.5; friction {FRICTION}; }}
-            "x.*|[yz]Max" {{ type escape; }}
-        );
-    }}
-    dispersionModel none; stochasticCollisionModel none;
-    surfaceFilmModel none;
-}}
-cloudFunctions {{}}
-"""
 
 
 def place(name, dt, aside=0.0):
@@ -62,12 +27,20 @@ def place(name, dt, aside=0.0):
     write_foam(name, "constant/g",
                f"dimensions [0 1 -2 0 0 0 0]; value ({PULL} {-DOWN} {-aside!r});",
                "uniformDimensionedVectorField")
-    cloud = CLOUD
-    if aside:
-        # Smooth walls, so that nothing but gravity acts along the edge
-        cloud = cloud.replace(f"friction {FRICTION}", "friction 0")
-        cloud = cloud.replace("1e-4 0.02)", "1e-4 1e-4)")
-    write_foam(name, "constant/dustProperties", cloud)
+    # Along the edge nothing but gravity is to act
+    friction, z = (0, 1e-4) if aside else (FRICTION, 0.02)
+    write_cloud(
+        name, "dust", f"""
+        type rakeInjection; start ({START} 1e-4 {z}); end ({START} 1e-4 {z});
+        nParcels 1; diameter 2e-3; U0 (0 0 0);""", forces="gravity;",
+        walls=f"""patchInteractionModel hardSphereWall; hardSphereWallCoeffs
+        {{
+            patches
+            (
+                "[yz]Min" {{ restitution 0.5; friction {friction}; }}
+                "x.*|[yz]Max" {{ type escape; }}
+            );
+        }}""")
     write_foam(name, "constant/parcelClouds", "clouds (dust);")
     must(name, "blockMesh")
     solve(name)
