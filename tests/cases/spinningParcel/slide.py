@@ -25,7 +25,8 @@ def place(name, dt, aside=0.0):
     write_field(name, "T", 300.0, sides)
     write_field(name, "U", (0.0, 0.0, 0.0), sides)
     write_foam(name, "constant/g",
-               f"dimensions [0 1 -2 0 0 0 0]; value ({PULL} {-DOWN} {-aside!r});",
+               "dimensions [0 1 -2 0 0 0 0];"
+               f" value ({PULL} {-DOWN} {-aside!r});",
                "uniformDimensionedVectorField")
     # Along the edge nothing but gravity is to act
     friction, z = (0, 1e-4) if aside else (FRICTION, 0.02)
