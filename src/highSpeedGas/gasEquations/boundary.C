@@ -40,6 +40,17 @@ const wordHashSet ofFlux
     "pressureInletOutletParSlipVelocity", "fluxCorrectedVelocity"
 };
 
+// Conditions on p of gas outside, and on U that take what it gives from the gas
+// inside
+const wordHashSet ofAmbience
+{
+    "fixedValue", "uniformFixedValue", "totalPressure", "uniformTotalPressure"
+};
+const wordHashSet takesVelocity
+{
+    "pressureInletOutletVelocity", "zeroGradient", "inletOutlet"
+};
+
 // Conditions on the pressure that leave its value at a wall to the gas
 const wordHashSet leavesPressure
 {
@@ -92,6 +103,7 @@ void Foam::gasEquations::setPatches()
     frictionless_.setSize(mesh_.boundary().size(), false);
     wall_.setSize(mesh_.boundary().size(), false);
     ofFlux_.setSize(mesh_.boundary().size(), false);
+    pressed_.setSize(mesh_.boundary().size(), false);
 
     for (const gasMesh::patchRange& patch : geometry_.patches())
     {
@@ -105,6 +117,9 @@ void Foam::gasEquations::setPatches()
             isA<basicSymmetryFvPatchVectorField>(Up) && !patch.image();
 
         ofFlux_[patchi] = ofFlux.found(Up.type());
+        pressed_[patchi] =
+            !patch.coupled && ofAmbience.found(pressure.type())
+         && (ofFlux_[patchi] || takesVelocity.found(Up.type()));
 
         // Whether the condition on U never lets gas through
         // (processor patches differ from rank to rank: no sums over them)
@@ -338,80 +353,6 @@ void Foam::gasEquations::wallPressure
 }
 
 
-double Foam::gasEquations::outwardSpeed
-(
-    const label f,
-    const double* q,
-    double& a
-) const
-{
-    const int nDim = geometry_.nDim();
-    const double* n = &geometry_.normal[f*nDim];
-    double un = 0;
-    for (int d = 0; d < nDim; d++)
-    {
-        un += q[2 + d]*n[d];
-    }
-    a = std::sqrt
-    (
-        eos_.thermallyPerfect()
-      ? eos_.soundSpeedSqr<true>(q[1])
-      : eos_.soundSpeedSqr<false>(q[1])
-    );
-    return un;
-}
-
-
-void Foam::gasEquations::drain(const label f, double* q) const
-{
-    double a;
-    const double un = outwardSpeed(f, q, a);
-    if (un >= a)
-    {
-        return;
-    }
-
-    // Simple wave that leaves the gas behind it: u + 2 a/(gamma - 1) constant
-    const int nDim = geometry_.nDim();
-    const double gamma = a*a/(eos_.R*q[1]);
-    const double share = max(((gamma - 1)*un/a + 2)/(gamma + 1), 0.1);
-    q[0] *= std::pow(share, 2*gamma/(gamma - 1));
-    q[1] *= sqr(share);
-    for (int d = 0; d < nDim; d++)
-    {
-        q[2 + d] +=
-            (share*a - un)*geometry_.normal[f*nDim + d];
-    }
-}
-
-
-bool Foam::gasEquations::subsonicOutlet() const
-{
-    scalar area = 0;
-    scalar subsonic = 0;
-    label k = -1;
-    for (const gasMesh::patchRange& patch : geometry_.patches())
-    {
-        k++;
-        for (label i = 0; i < patch.size && outlet_[k]; i++)
-        {
-            const label f = patch.start + i;
-            double a;
-            area += geometry_.area[f];
-            const double un =
-                outwardSpeed(f, &primitive[geometry_.owner[f]*nVar_], a);
-            if (un < a)
-            {
-                subsonic += geometry_.area[f];
-            }
-        }
-    }
-    reduce(area, sumOp<scalar>());
-    reduce(subsonic, sumOp<scalar>());
-    return subsonic > 0.5*area;
-}
-
-
 void Foam::gasEquations::setBoundaryProperties()
 {
     if (!boundaryNeedsProperties_)
@@ -548,8 +489,15 @@ void Foam::gasEquations::correctBoundary()
         }
         const label patchi = patch.patchi;
         evaluateVelocity(patchi);
-        T.boundaryFieldRef()[patchi].evaluate();
-        p.boundaryFieldRef()[patchi].evaluate();
+        if (pressed_[patchi])
+        {
+            evaluateAmbience(patchi);
+        }
+        else
+        {
+            T.boundaryFieldRef()[patchi].evaluate();
+            p.boundaryFieldRef()[patchi].evaluate();
+        }
         rho_.boundaryFieldRef()[patchi] ==
             p.boundaryField()[patchi]
            /(eos_.R*T.boundaryField()[patchi]);
@@ -679,6 +627,10 @@ void Foam::gasEquations::takeBoundary()
             if (rough_ && outlet_[k])
             {
                 drain(patch.start + i, q);
+            }
+            if (pressed_[patchi])
+            {
+                leave(patch.start + i, q);
             }
         }
     }
