@@ -431,12 +431,42 @@ bool Foam::highSpeedGas::solve()
 }
 
 
+void Foam::highSpeedGas::warnOfSwirl(const vectorField& momentum)
+{
+    const gasMesh& geometry = equations_->geometry();
+    if (!geometry.inSection() || warnedOfSwirl_)
+    {
+        return;
+    }
+    // Of single steps the noise of few particles is as large
+    const scalar around = gSum(momentum.component(geometry.turning()));
+    swirl_.around += around;
+    swirl_.squares += sqr(around);
+    swirl_.all += gSumMag(momentum);
+    if
+    (
+        mag(swirl_.around) > 0.1*swirl_.all
+     && mag(swirl_.around) > 4*std::sqrt(swirl_.squares)
+    )
+    {
+        warnedOfSwirl_ = true;
+        WarningInFunction
+            << "Particles give the gas momentum about the axis of the wedge, "
+            << 100*mag(swirl_.around)/swirl_.all << " % of all, but it is solved without"
+            << " swirl and does not take it up." << nl
+            << "    Begin with some: a millionth of the speed in one cell of"
+            << " the field U is enough" << endl;
+    }
+}
+
+
 void Foam::highSpeedGas::receive
 (
     const vectorField& momentum,
     const scalarField& energy
 )
 {
+    warnOfSwirl(momentum);
     if (feedback_.valid())
     {
         feedback_->receive(momentum, energy);

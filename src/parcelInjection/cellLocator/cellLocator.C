@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "cellLocator.H"
+#include "wedgePolyPatch.H"
 
 #include <algorithm>
 
@@ -132,4 +133,21 @@ Foam::cellLocator::cellLocator(const polyMesh& mesh)
 Foam::label Foam::cellLocator::find(const point& p) const
 {
     return nodes_.empty() ? -1 : find(p, 0);
+}
+
+
+Foam::point Foam::cellLocator::offAxis(const point& p, const label celli) const
+{
+    const scalar reach = 1e-9*std::cbrt(mesh_.cellVolumes()[celli]);
+    label nPlanes = 0;
+    for (const label facei : mesh_.cells()[celli])
+    {
+        const label patchi = mesh_.boundaryMesh().whichPatch(facei);
+        if (patchi >= 0 && isA<wedgePolyPatch>(mesh_.boundaryMesh()[patchi]))
+        {
+            const vector n = normalised(mesh_.faceAreas()[facei]);
+            nPlanes += mag(n & (p - mesh_.faceCentres()[facei])) < reach;
+        }
+    }
+    return nPlanes < 2 ? p : p + 1e-9*(mesh_.cellCentres()[celli] - p);
 }

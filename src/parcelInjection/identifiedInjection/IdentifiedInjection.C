@@ -114,6 +114,13 @@ void Foam::IdentifiedInjection<CloudType>::locate
             break;
         }
     }
+    for (newParcel& parcel : parcels)
+    {
+        if (parcel.cell >= 0)
+        {
+            parcel.position = locator.offAxis(parcel.position, parcel.cell);
+        }
+    }
 }
 
 

@@ -6,6 +6,8 @@
 #include "checked.H"
 #include "forceSuSp.H"
 #include "meshTools.H"
+#include "tetPlace.H"
+#include "transform.H"
 #include "wedgePolyPatch.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -298,35 +300,67 @@ void Foam::SpinningParcel<ParcelType>::hitWedgePatch
             << exit(FatalError);
     }
 
-    const polyBoundaryMesh& patches = this->mesh().boundaryMesh();
-    const point x = this->position();
-    const label hit = patches.whichPatch(this->face());
-    const scalar reach =
-        1e-9*sqrt(mag(this->mesh().faceAreas()[this->face()]));
-
-    // Two mirrors at the angle of the smallest wedge that a mesh can have
-    // turn a parcel round in fewer reflections than this
-    bool goesOut = true;
-    for (label i = 0; goesOut && i < 10000; ++i)
+    const polyMesh& mesh = this->mesh();
+    const polyBoundaryMesh& patches = mesh.boundaryMesh();
+    const label here = patches.whichPatch(this->face());
+    label there = -1;
+    for (const label facei : mesh.cells()[this->cell()])
     {
-        goesOut = false;
-        forAll(patches, patchi)
+        const label patchi = patches.whichPatch(facei);
+        if
+        (
+            patchi >= 0 && patchi != here
+         && isA<wedgePolyPatch>(patches[patchi])
+        )
         {
-            const polyPatch& patch = patches[patchi];
-            if (!isA<wedgePolyPatch>(patch) || patch.empty())
-            {
-                continue;
-            }
-            const vector n = normalised(patch.faceAreas()[0]);
-            const bool at =
-                patchi == hit
-             || mag((x - patch.faceCentres()[0]) & n) < reach;
-            if (at && (this->U() & n) > 0)
-            {
-                this->transformProperties(I - 2*sqr(n));
-                goesOut = true;
-            }
+            there = patchi;
         }
+    }
+    if (there < 0)
+    {
+        FatalErrorInFunction
+            << "Cell " << this->cell() << " at "
+            << mesh.cellCentres()[this->cell()] << " lies at the wedge "
+            << patches[here].name() << " and at no other. Valid: wedges of one"
+            << " layer of cells" << exit(FatalError);
+    }
+    const vector n = normalised(patches[here].faceAreas()[0]);
+    const vector m = normalised(patches[there].faceAreas()[0]);
+    const point x = this->position();
+    const scalar toHere = n & (patches[here].faceCentres()[0] - x);
+    const scalar toThere = m & (patches[there].faceCentres()[0] - x);
+
+    // The axis of both planes where it is nearest
+    const scalar nm = n & m;
+    const point axis =
+        x
+      + ((toHere - nm*toThere)*n + (toThere - nm*toHere)*m)/(1 - sqr(nm));
+
+    const tensor R = rotationTensor(n, -m);
+    const scalar reach = 1e-9*sqrt(mag(mesh.faceAreas()[this->face()]));
+    if (mag(toThere) > reach)
+    {
+        if ((this->U() & n) > 0)
+        {
+            const point p = axis + (R & (x - axis));
+            const convexCells& cells = cloud.cells();
+            const label celli = cells.locate(this->cell(), toCore(p));
+            tetPlace::put(*this, cells, toCore(p), celli, -1);
+            transformProperties(R);
+        }
+        return;
+    }
+
+    // On the axis, out of which it goes where the sector is
+    const tensor turn = (this->U() & n) > (this->U() & m) ? R : R.T();
+    const auto goesOut = [&]
+    {
+        const scalar least = 1e-14*mag(this->U());
+        return (this->U() & n) > least || (this->U() & m) > least;
+    };
+    for (label i = 0; i < 10000 && goesOut(); ++i)
+    {
+        transformProperties(turn);
     }
 }
 

@@ -9,8 +9,8 @@
 #include "fvcDdt.H"
 #include "interpolationCellLinear.H"
 #include "trackingCells.H"
-#include "volPointInterpolation.H"
 #include "wallGasVelocity.H"
+#include "wedgePoints.H"
 #include "wedgePolyPatch.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -580,7 +580,12 @@ void Foam::cellGas::update
             (
                 q, "volPointInterpolate(" + q.name() + ')', true
             );
-            putValues(q, values().primitiveField(), offset);
+            auto points(values().primitiveField());
+            if constexpr (std::is_same_v<decltype(points), vectorField>)
+            {
+                wedgePoints::restoreTurning(q, points);
+            }
+            putValues(q, points, offset);
         }
     );
 

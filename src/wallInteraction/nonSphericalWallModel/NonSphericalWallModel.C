@@ -278,7 +278,8 @@ Foam::NonSphericalWallModel<CloudType>::NonSphericalWallModel
             << " parcels a velocity about the axis of a wedge, and those of a"
             << " stock cloud end the run where they meet a plane of the wedge."
             << nl << "Valid: a spinningKinematicCloud, whose parcels the planes"
-            << " mirror, or a sector between patches of type symmetryPlane"
+            << " pass on to each other, or a sector between patches of type"
+            << " symmetryPlane"
             << exit(FatalIOError);
     }
     forAll(wallOf_, i)

@@ -6,10 +6,11 @@ import re
 
 import numpy as np
 
-from caseTools import (complaint, copy_case, edit, must, read_field, run,
+from caseTools import (R_GAS, complaint, copy_case, edit, must, read_field, run,
                        solve, times_of, verdict, write_case, write_field,
                        write_foam)
 from foamFiles import positions
+from spinningCloud import write_cloud
 
 CLOUD = """
 type spinningKinematicCloud;
@@ -97,8 +98,8 @@ def of_axis(x, u, spin):
     return np.column_stack([
         x[:, 0]/0.1, np.hypot(x[:, 1], x[:, 2])/0.1, u[:, 0]/600,
         (x[:, 1]*u[:, 1] + x[:, 2]*u[:, 2])/60,
-        np.abs(x[:, 1]*u[:, 2] - x[:, 2]*u[:, 1])/60,
-        np.abs(spin[:, 0])/3e4, np.linalg.norm(spin, axis=1)/3e4])
+        (x[:, 1]*u[:, 2] - x[:, 2]*u[:, 1])/60,
+        spin[:, 0]/3e4, np.linalg.norm(spin, axis=1)/3e4])
 
 
 identities = np.arange(40)
@@ -146,3 +147,67 @@ said = complaint(text)
 verdict("wedge_refuses_stock_motion",
         status != 0 and "wedge" in said and "embeddedRK54" in said,
         f"exit status {status}: {said}")
+
+# Gas that turns about the axis with 20 m/s everywhere, and grains that begin
+# with it: against the equations in r and the two velocities
+swirl = copy_case(stock, "wedgeSwirl")
+write_field(swirl, "U", (0.0, 0.0, 20.0), fields)
+for scheme in "cellLinear", "cellPoint":
+    write_cloud(swirl, scheme, "type rakeInjection; start (0.01 0.012 0);"
+                " end (0.09 0.06 0); nParcels 9; diameter 2e-5; U0 (0 0 20);",
+                forces="sphereDrag;", tolerance=1e-8)
+    edit(swirl, f"constant/{scheme}Properties", "interpolationSchemes {}",
+         "interpolationSchemes { rho %s; U %s; T %s; thermo:mu %s; }".replace(
+             "%s", scheme))
+write_foam(swirl, "constant/parcelClouds", "clouds (cellLinear cellPoint);")
+DURATION = 1e-3
+edit(swirl, "system/controlDict", repr(END), repr(DURATION))
+solve(swirl)
+
+mu = 1.458e-6*np.sqrt(250.0)/(1 + 110.4/250.0)
+rho = 3e4/(R_GAS*250.0)
+
+
+def slope(y):
+    r, radial, around = y
+    rel = np.array([-radial, 20 - around])
+    Re = rho*np.hypot(*rel)*2e-5/mu
+    k = 18*mu/(2500*2e-5**2)*(1 + Re**(2/3)/6)
+    return np.array([radial, k*rel[0] + around**2/r,
+                     k*rel[1] - radial*around/r])
+
+
+y = np.array([np.linspace(0.012, 0.06, 9), np.zeros(9), np.full(9, 20.0)])
+h = DURATION/4000
+for _ in range(4000):
+    k1 = slope(y)
+    k2 = slope(y + 0.5*h*k1)
+    k3 = slope(y + 0.5*h*k2)
+    k4 = slope(y + h*k3)
+    y = y + h*(k1 + 2*k2 + 2*k3 + k4)/6
+for scheme in "cellLinear", "cellPoint":
+    folder = f"{swirl}/{times_of(swirl)[-1]}/lagrangian/{scheme}"
+    order = np.argsort(read_field(f"{folder}/origId"))
+    x, u = positions(folder)[0][order], read_field(f"{folder}/U")[order]
+    r = np.hypot(x[:, 1], x[:, 2])
+    found = np.array([r, (x[:, 1]*u[:, 1] + x[:, 2]*u[:, 2])/r,
+                      (x[:, 1]*u[:, 2] - x[:, 2]*u[:, 1])/r])
+    error = np.abs((found - y)/np.array([[0.012], [20], [20]])).max()
+    verdict(f"wedge_swirl_{scheme}", len(order) == 9 and error < 1e-3,
+            f"r from {y[0, 0]*1e3:.3f} to {y[0, -1]*1e3:.3f} mm and velocities"
+            f" within {error:.1e} of 12 mm and 20 m/s, tolerance 1e-3; least"
+            f" velocity about the axis {found[2].min():.2f} m/s")
+
+# On the axis a parcel of the stock is put elsewhere
+on_axis = copy_case(stock, "wedgeOnAxis")
+write_cloud(on_axis, "line", "type rakeInjection; start (0.011 0 0);"
+            " end (0.089 0 0); nParcels 50; diameter 2e-5; U0 (0 0 0);")
+write_foam(on_axis, "constant/parcelClouds", "clouds (line);")
+solve(on_axis)
+folder = f"{on_axis}/{times_of(on_axis)[-1]}/lagrangian/line"
+x = positions(folder)[0]
+x = x[np.argsort(x[:, 0])]
+away = (np.abs(x[:, 0] - np.linspace(0.011, 0.089, 50)).max()
+        + np.hypot(x[:, 1], x[:, 2]).max() if len(x) == 50 else np.inf)
+verdict("wedge_onAxis", away < 1e-10, f"{len(x)} parcels of 50, {away:.1e} m"
+        " away from where they were put, tolerance 1e-10 m")
