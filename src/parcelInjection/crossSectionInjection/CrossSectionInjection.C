@@ -404,6 +404,11 @@ void Foam::CrossSectionInjection<CloudType>::select
         return;
     }
 
+    // Else all that enter now have done so since the last step, however much
+    // longer than this one that was
+    const Time& time = this->owner().db().time();
+    const scalar step = max(time.deltaTValue(), time.deltaT0Value());
+    bool late = !filled_ && t0 - this->SOI_ > step;
     if (!filled_)
     {
         filled_ = true;
@@ -434,6 +439,7 @@ void Foam::CrossSectionInjection<CloudType>::select
     if (oldest > next_)
     {
         next_ = oldest;
+        late = true;
     }
 
     for (;; ++next_)
@@ -451,7 +457,7 @@ void Foam::CrossSectionInjection<CloudType>::select
         {
             const vector way((t0 - t)*this->U0());
             parcels.append(parcel(p + way, nBox_ + next_));
-            if (t0 - t <= this->owner().db().time().deltaTValue())
+            if (!late || t0 - t <= step)
             {
                 parcels.last().flown = way;
             }

@@ -314,7 +314,13 @@ bool Foam::ParcelMotion<CloudType, Force>::tell
     {
         foamCompat::postFace(cloud_.functions(), p_, td_);
     }
+
+    // It is where its flight says, and a way begins where the last one has
+    // ended, to the last bit: who counts crossings of a plane that faces lie
+    // in would miss some
+    p_.setFlight({x_, cell_});
     foamCompat::postMove(cloud_.functions(), p_, t, fromCore(start), td_);
+    p_.setFlight({});
     return td_.keepParticle;
 }
 
@@ -460,7 +466,7 @@ bool Foam::ParcelMotion<CloudType, Force>::move()
         p_.setFlight({x_, cell_});
         if (watched_)
         {
-            p_.land(cells_);
+            p_.settle(cells_);
         }
     }
     return td_.keepParticle;
