@@ -178,7 +178,9 @@ void Foam::EventDrivenCollisions<CloudType>::checkNumber
             dict_, "nParticle", n, "1 with collisions",
             dimension_ == 2
           ? (" or slabThickness/d = " + Foam::name(slab)).c_str() : "",
-            ". The parcel has a diameter of ", d, " m and is at ", x
+            ". The parcel has a diameter of ", d, " m and is at ", x,
+            " (one that has come off a layer stands for as many as the one"
+            " that struck it: layers of several sizes need three dimensions)"
         );
     }
 }

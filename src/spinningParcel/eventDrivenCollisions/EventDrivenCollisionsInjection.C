@@ -5,6 +5,7 @@
 #include "EventDrivenCollisions.H"
 #include "mathematicalConstants.H"
 #include "vicinity.H"
+#include "wallLayer.H"
 
 #include <algorithm>
 #include <tuple>
@@ -139,7 +140,7 @@ void Foam::EventDrivenCollisions<CloudType>::displaceMember
 
 
 template<class CloudType>
-Foam::label Foam::EventDrivenCollisions<CloudType>::part
+Foam::labelPair Foam::EventDrivenCollisions<CloudType>::part
 (
     const std::vector<memberPair>& pairs
 )
@@ -147,7 +148,13 @@ Foam::label Foam::EventDrivenCollisions<CloudType>::part
     // A parcel may be in several pairs
     std::unordered_map<std::uint64_t, member> members;
     std::unordered_map<std::uint64_t, bool> removed;
-    label nOverlaps = 0;
+    labelPair n(0, 0);
+    const auto released = [](const member& m)
+    {
+        return
+            m.injected
+         && m.identity >> 32 == std::uint64_t(wallLayer::releasedProc);
+    };
     for (const memberPair& c : pairs)
     {
         member& a = members.emplace(c.a.identity, c.a).first->second;
@@ -171,8 +178,12 @@ Foam::label Foam::EventDrivenCollisions<CloudType>::part
         {
             continue;
         }
-        ++nOverlaps;
-        if (!separate_)
+
+        // What comes off a layer does so where a parcel has just struck it
+        const bool injected = !released(a) && !released(b);
+        ++n.first();
+        n.second() += injected;
+        if (!separate_ && injected)
         {
             // The later of the two goes
             const member& late = b.injected ? b : a;
@@ -189,7 +200,7 @@ Foam::label Foam::EventDrivenCollisions<CloudType>::part
         displaceMember(a, -share*way*e);
         displaceMember(b, (1 - share)*way*e);
     }
-    return nOverlaps;
+    return n;
 }
 
 
@@ -218,18 +229,19 @@ void Foam::EventDrivenCollisions<CloudType>::admitInjected()
     ofNew.reduce();
 
     // Moving a pair apart may bring one of them upon a third
-    for (label sweep = 0; sweep < (separate_ ? 20 : 1); ++sweep)
+    for (label sweep = 0; sweep < 20; ++sweep)
     {
         const std::vector<memberPair> pairs = injectedUpon(ofNew);
         label nOverlaps = 0;
         if (Pstream::master())
         {
-            nOverlaps = part(pairs);
+            const labelPair n = part(pairs);
             buffer_.clear();
             dismiss();
+            nOverlaps = n.first();
             if (sweep == 0)
             {
-                report_.overlappingInjection = nOverlaps;
+                report_.overlappingInjection = n.second();
             }
         }
         else
