@@ -377,6 +377,8 @@ Foam::surfaceImpactStatistics::surfaceImpactStatistics
     functionName_(functionName),
     mesh_(mesh),
     threshold_(getNumber(dict, "threshold", "[0, 3e8) m/s", scalar(1))),
+    normalThreshold_
+        (getNumber(dict, "normalThreshold", "[0, 3e8) m/s", scalar(0))),
     restart_(cloudName, functionName, mesh, dict),
     window_(dict, functionName, mesh.time(), restart_.found())
 {
@@ -482,7 +484,11 @@ void Foam::surfaceImpactStatistics::take
     }
 
     const impact::impactMeasures measures(v0, n);
-    if (!(measures.speed > threshold_))
+    if
+    (
+        !(measures.speed > threshold_)
+     || measures.normalSpeed < normalThreshold_
+    )
     {
         ++nSlow_;
         return;
@@ -604,10 +610,13 @@ void Foam::surfaceImpactStatistics::end()
             sumOverRanks();
             bins_->close();
             faces_->close();
+
+            // An error that is looked at again and again will be below the
+            // target by chance too early
             if
             (
                 stop_ && !stopped_ && !last && bins_->errorsKnown()
-             && largestError() < stop_->target
+             && bins_->errorBound()*largestError() < stop_->target
             )
             {
                 // The solver does one more step, with a write

@@ -441,6 +441,10 @@ void Foam::surfaceImpactStatistics::report() const
 Foam::scalarList Foam::surfaceImpactStatistics::settings() const
 {
     scalarList s({threshold_, window_.start(), scalar(bins_->minBlocks())});
+    if (normalThreshold_ > 0)
+    {
+        s.append(normalThreshold_);
+    }
     if (angle_)
     {
         // Positions whose bins tell origin, axis, direction and width
@@ -598,7 +602,7 @@ void Foam::surfaceImpactStatistics::readRestart()
     {
         refuse
         (
-            "settings (patches, threshold, start of the window, blocks, axis,"
+            "settings (patches, thresholds, start of the window, blocks, axis,"
             " erosion)"
         );
     }

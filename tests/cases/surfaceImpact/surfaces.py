@@ -180,6 +180,8 @@ case = prepare("cylinder",
                        " erosion { model Finnie; p 1e9; }")
                + surface("threshold 0; erosion { model Finnie; p 1e9; }",
                          "faces")
+               + surface("window { start 1.5e-4; end 3.9e-4; } threshold 0;"
+                         f" normalThreshold {0.5*V!r}; {AXIS}", "steep")
                + "stockErosion { type particleErosion; patches (plate);"
                  " p 1e9; psi 2; K 2; }\n"
                + "dispersedPhase { type dispersedPhase;"
@@ -244,6 +246,12 @@ angles = np.array([abs(math.degrees(math.atan2(-float(h["y"]),
 count = np.bincount(np.minimum(angles.astype(int), 89), minlength=90)
 verdict("bins_hold_their_hits", np.abs(count - t["nImpacts"]).sum() <= 2,
         f"{np.abs(count - t['nImpacts']).sum():.0f} apart")
+
+steep = table(case, function="steep")["nImpacts"].sum()
+verdict("normal_threshold", abs(steep - (angles < 60).sum()) <= 2
+        and 100 < steep < len(hits),
+        f"{steep:.0f} of {len(hits)} hits are as fast towards the wall as at 60"
+        f" degrees, {(angles < 60).sum()} within them")
 
 # Fields: what ParaView shows sums up to the table of the patch
 p = table(case, "byPatch")

@@ -5,6 +5,8 @@
 #include "blockStatistics.H"
 #include "outOfRange.H"
 
+#include <boost/math/distributions/chi_squared.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -144,6 +146,14 @@ void blockStatistics::close()
     times_.resize(minBlocks_);
     blocks_.resize(minBlocks_*width);
     length_ *= 2;
+}
+
+
+double blockStatistics::errorBound() const
+{
+    const double free = double(std::max<std::size_t>(nBlocks(), 2) - 1);
+    const boost::math::chi_squared_distribution<double> squares(free);
+    return std::sqrt(free/quantile(squares, 0.1));
 }
 
 
