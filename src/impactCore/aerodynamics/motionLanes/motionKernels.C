@@ -243,9 +243,11 @@ impactKernel void impact::motionKernels::end
         vScale[i] =
             larger(larger(speed, gasSpeed), gain(sizeA, f.k[i], h[i]))
           + 1e-100;
-        spinScale[i] =
-            larger(larger(spin, gasSpin), gain(sizeAlpha, f.kSpin[i], h[i]))
-          + 1e-100;
+        spinScale[i] = larger
+        (
+            larger(spin, gasSpin),
+            larger(gain(sizeAlpha, f.kSpin[i], h[i]), particleMotion::noSpin)
+        );
         const double dv = largest
         (
             last.v[0][i] - (v[0][i] + h[i]*f.a[0][i]),
