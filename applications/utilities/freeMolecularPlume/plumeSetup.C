@@ -96,7 +96,7 @@ impact::plumeSource readSource
 
 impact::radiativeCooling readMaterial(const dictionary& dict)
 {
-    const dictionary& material = dict.subDict("material");
+    const dictionary& material = getBlock(dict, "material");
     impact::radiativeCooling::setup s;
     refuseOthers
     (
@@ -263,12 +263,13 @@ Foam::plumeSetup::plumeSetup
         sampler.deltaT = getNumber(dict, "deltaT", validRange::duration);
     }
     refuseOthers(dict, valid);
+    refuseSameNames(dict, "times", times);
     sampler.source = std::make_shared<const impact::plumeSource>
-        (readSource(dict.subDict("source"), casePath, nRecords));
+        (readSource(getBlock(dict, "source"), casePath, nRecords));
     sampler.cooling = std::make_shared<const impact::radiativeCooling>
         (readMaterial(dict));
 
-    const dictionary& burn = dict.subDict("burn");
+    const dictionary& burn = getBlock(dict, "burn");
     refuseOthers(burn, {"start", "end"});
     sampler.burnStart = getNumber(burn, "start", "(-1e12, 1e12) s");
     sampler.burnEnd = getNumber(burn, "end", "(-1e12, 1e12) s");
@@ -311,7 +312,7 @@ Foam::plumeSetup::plumeSetup
     // 'off', or a dictionary
     if (dict.isDict("gravity"))
     {
-        const dictionary& gravity = dict.subDict("gravity");
+        const dictionary& gravity = getBlock(dict, "gravity");
         refuseOthers(gravity, {"type", "mu", "centre"});
         getWord(gravity, "type", {"twoBody"});
         sampler.gravity = checked(gravity, [&]
@@ -327,10 +328,17 @@ Foam::plumeSetup::plumeSetup
         getWord(dict, "gravity", {"off"});
     }
 
-    const dictionary& grids = dict.subDict("grids");
+    const dictionary& grids = getBlock(dict, "grids");
     for (const word& name : grids.toc())
     {
-        sampler.grids.push_back(readGrid(grids.subDict(name)));
+        for (const char* file : {"groups", "summary", "convergence"})
+        {
+            if (name == file)
+            {
+                refuse(grids, "grids", name, "another name: it is a result's");
+            }
+        }
+        sampler.grids.push_back(readGrid(getBlock(grids, name)));
         gridNames.append(name);
     }
     const scalarList stations
@@ -338,6 +346,19 @@ Foam::plumeSetup::plumeSetup
         getList(dict, "stations", validRange::coordinate, scalarList())
     );
     sampler.stations.assign(stations.begin(), stations.end());
+    refuseSameNames(dict, "stations", stations);
+    if (stations.empty() && dict.found("stationHalfWidth"))
+    {
+        refuse
+        (
+            dict, "stationHalfWidth", dict.get<scalar>("stationHalfWidth"),
+            "with entry stations"
+        );
+    }
+    if (gridNames.empty() && targetError > 0)
+    {
+        refuse(dict, "targetError", targetError, "with a grid in grids");
+    }
     sampler.stationHalfWidth =
         getNumber(dict, "stationHalfWidth", validRange::length, scalar(1000));
 

@@ -63,7 +63,7 @@ List<scalar> readSpeeds(const dictionary& dict)
     List<scalar> speeds;
     if (dict.isDict("speeds"))
     {
-        const dictionary& range = dict.subDict("speeds");
+        const dictionary& range = getBlock(dict, "speeds");
         refuseOthers(range, {"min", "max", "n", "spacing"});
         const scalar low = getNumber(range, "min", speedRange);
         const scalar high = getNumber(range, "max", speedRange);
@@ -113,7 +113,7 @@ Foam::jkrImpactSetup::jkrImpactSetup
     contact
     (
         dict.found("contact")
-      ? adhesionEntries::contact(dict.subDict("contact"))
+      ? adhesionEntries::contact(getBlock(dict, "contact"))
       : adhesionEntries::contact(dict, ours)
     ),
     settings(readSettings(dict)),
@@ -128,7 +128,7 @@ Foam::jkrImpactSetup::jkrImpactSetup
     ofContactWithoutAdhesion
     (
         dict.isDict("alpha")
-     && dict.subDict("alpha").get<word>("type") == "marshall"
+     && getBlock(dict, "alpha").get<word>("type") == "marshall"
      && !law.isConstant()
     ),
     speeds(readSpeeds(dict))
@@ -177,8 +177,8 @@ Foam::jkrImpactSetup::jkrImpactSetup
         {
             refuse(dict, "unloading", "hard", "with a chain: soft");
         }
-        const dictionary& first = block.subDict("particle");
-        const dictionary& second = block.subDict("wall");
+        const dictionary& first = getBlock(block, "particle");
+        const dictionary& second = getBlock(block, "wall");
         const bool oneWay =
             getWordOf(block, "coupling", "", {"oneWay", "twoWay"}) == "oneWay";
         chain = checked(block, [&]()

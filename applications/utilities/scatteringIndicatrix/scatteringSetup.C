@@ -86,11 +86,15 @@ void warnOfScale(const impact::scatteringSampler::setup& sampler)
         return;
     }
     const double size = 2*sampler.body.radius();
-    const double spacing = sampler.wall->meanSpacing();
+    const bool rough =
+        sampler.wall->type() == impact::relief::reliefType::rough;
+    const double spacing =
+        rough ? sampler.wall->meanSpacing() : sampler.wall->period();
     if (size > 1000*spacing)
     {
         WarningInFunction
-            << "The body is " << size << " m long, the points of the wall are "
+            << "The body is " << size << " m long, the "
+            << (rough ? "points" : "periods") << " of the wall are "
             << spacing << " m apart: each impact is sought over all points"
             << " under the body, which takes long. Is an entry scale missing,"
             << " of shape or wall?" << endl;
@@ -110,17 +114,7 @@ Foam::scatteringSetup::scatteringSetup
     incidences(getNumbers(dict, "incidence", "[1e-6, 90] deg"))
 {
     refuseOthers(dict, ours);
-    forAll(incidences, i)
-    {
-        if (incidences.find(incidences[i]) < i)
-        {
-            refuse
-            (
-                dict, "incidence", incidences[i],
-                "a list of different angles: each has its own folder"
-            );
-        }
-    }
+    refuseSameNames(dict, "incidence", incidences);
     scatteringEntries::read(dict, casePath, sampler);
     sampler.incidence = incidences[0];
     sampler.speed = getNumber(dict, "speed", "[1e-6, 3e8) m/s, below light");

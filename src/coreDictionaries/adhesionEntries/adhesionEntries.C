@@ -55,7 +55,7 @@ impact::elasticSphere readSphere(const dictionary& dict)
 
 impact::elasticSolid readWallSolid(const dictionary& dict)
 {
-    const dictionary& wall = dict.subDict("wall");
+    const dictionary& wall = getBlock(dict, "wall");
     refuseOthers(wall, {"E", "nu"});
     return readSolid(wall);
 }
@@ -125,7 +125,7 @@ impact::adhesiveRebound::materials readMaterials(const dictionary& dict)
     if (dict.isDict("contact"))
     {
         // Radius and mass are those of the parcel
-        const dictionary& contact = dict.subDict("contact");
+        const dictionary& contact = getBlock(dict, "contact");
         refuseOthers(contact, {"modulus", "workOfAdhesion"});
         return
         {
@@ -134,7 +134,7 @@ impact::adhesiveRebound::materials readMaterials(const dictionary& dict)
         };
     }
     const scalar w = getNumber(dict, "workOfAdhesion", validRange::adhesion);
-    const dictionary& ofParticle = dict.subDict("particle");
+    const dictionary& ofParticle = getBlock(dict, "particle");
     refuseOthers(ofParticle, {"E", "nu"});
     const impact::elasticSolid particle(readSolid(ofParticle));
     const impact::elasticSolid wall(readWallSolid(dict));
@@ -157,7 +157,7 @@ scalar particleModulus(const dictionary& dict, const dictionary& layer)
     {
         return getNumber(layer, "modulus", validRange::modulus);
     }
-    const impact::elasticSolid solid(readSolid(dict.subDict("particle")));
+    const impact::elasticSolid solid(readSolid(getBlock(dict, "particle")));
     return checked(dict, [&]()
     {
         const impact::elasticSphere sphere = {1e-6, 1000, solid};
@@ -178,7 +178,7 @@ impact::chainAlpha Foam::adhesionEntries::chainAlpha
 {
     if (dict.isDict(entry))
     {
-        const dictionary& coeffs = dict.subDict(entry);
+        const dictionary& coeffs = getBlock(dict, entry);
         getWordOf(coeffs, "type", "", {"table"});
         refuseOthers(coeffs, {"type", "speeds", "values"});
         const scalarList speeds
@@ -244,11 +244,11 @@ impact::jkrContact Foam::adhesionEntries::contact
             );
         }
         const impact::elasticSphere particle =
-            readSphere(dict.subDict("particle"));
+            readSphere(getBlock(dict, "particle"));
         return dict.found("partner")
           ? impact::jkrContact::between
             (
-                particle, readSphere(dict.subDict("partner")), w
+                particle, readSphere(getBlock(dict, "partner")), w
             )
           : impact::jkrContact::onWall
             (
@@ -289,7 +289,7 @@ impact::dissipationLaw Foam::adhesionEntries::law
             );
         });
     }
-    const dictionary& alpha = dict.subDict("alpha");
+    const dictionary& alpha = getBlock(dict, "alpha");
     const word type
     (
         getWordOf
@@ -417,11 +417,11 @@ impact::adhesiveRebound Foam::adhesionEntries::wall
     if
     (
         dict.isDict("alpha")
-     && dict.subDict("alpha").getOrDefault<word>("type", word::null)
+     && getBlock(dict, "alpha").getOrDefault<word>("type", word::null)
      == "calibrated"
     )
     {
-        const dictionary& alpha = dict.subDict("alpha");
+        const dictionary& alpha = getBlock(dict, "alpha");
         const impact::elasticSphere sphere =
         {
             getNumber(alpha, "diameter", validRange::diameter),
@@ -465,7 +465,7 @@ impact::adhesiveRebound Foam::adhesionEntries::wall
 
     if (dict.found("layer"))
     {
-        const dictionary& layer = dict.subDict("layer");
+        const dictionary& layer = getBlock(dict, "layer");
         refuseOthers
         (
             layer,

@@ -164,7 +164,7 @@ impact::reboundCoefficient Foam::reboundEntries::coefficient
     const word entry(quantity.name);
     if (dict.isDict(entry))
     {
-        const dictionary& coeffs = dict.subDict(entry);
+        const dictionary& coeffs = getBlock(dict, entry);
         wordList types{"table", "polynomial"};
         if (quantity.of == form::component::normal)
         {

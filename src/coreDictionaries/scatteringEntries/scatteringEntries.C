@@ -214,8 +214,8 @@ void Foam::scatteringEntries::read
 {
     typedef impact::visitTreatment visitTreatment;
 
-    setup.body = readShape(dict.subDict("shape"), casePath);
-    const dictionary& wallDict = dict.subDict("wall");
+    setup.body = readShape(getBlock(dict, "shape"), casePath);
+    const dictionary& wallDict = getBlock(dict, "wall");
     setup.wall = readWall(wallDict, casePath);
     setup.sharedRelief = wallDict.get<word>("type") == "profile";
     setup.treatment =
@@ -224,7 +224,7 @@ void Foam::scatteringEntries::read
             wallDict, "treatment", "untilExit", {"untilExit", "firstImpact"}
         ) == "untilExit"
       ? visitTreatment::untilExit : visitTreatment::firstImpact;
-    setup.law = readLaw(dict.subDict("law"));
+    setup.law = readLaw(getBlock(dict, "law"));
     setup.orientation =
         getWordOf
         (

@@ -4,6 +4,7 @@
 
 #include "dsmcGas.H"
 #include "checked.H"
+#include "exactSums.H"
 #include "lagrangianFile.H"
 #include "maxwellian.H"
 #include "presentFile.H"
@@ -50,7 +51,7 @@ void Foam::dsmcGas::readSpecies()
             << "Entry typeIdList is empty: name at least one species"
             << exit(FatalIOError);
     }
-    const dictionary& all = properties_.subDict("moleculeProperties");
+    const dictionary& all = getBlock(properties_, "moleculeProperties");
     forAll(names_, i)
     {
         const word& name = names_[i];
@@ -68,7 +69,7 @@ void Foam::dsmcGas::readSpecies()
                 << " sub-dictionary here" << nl
                 << "Species found: " << all.toc() << exit(FatalIOError);
         }
-        const dictionary& d = all.subDict(name);
+        const dictionary& d = getBlock(all, name);
         refuseOthers
         (
             d, {"mass", "diameter", "omega", "internalDegreesOfFreedom"}
@@ -127,7 +128,7 @@ void Foam::dsmcGas::readCollisions()
         return;
     }
     const dictionary& coeffs =
-        properties_.subDict(exchange ? exchangeCoeffs : elasticCoeffs);
+        getBlock(properties_, exchange ? exchangeCoeffs : elasticCoeffs);
     const scalar Tref = getNumber(coeffs, "Tref", validRange::temperature);
     referenceTemperature_ = Tref;
     const scalar Z =
@@ -192,7 +193,7 @@ void Foam::dsmcGas::readDiffuseFractions()
     }
     else if (model == "MixedDiffuseSpecular")
     {
-        const dictionary& coeffs = properties_.subDict(model + "Coeffs");
+        const dictionary& coeffs = getBlock(properties_, model + "Coeffs");
         refuseOthers(coeffs, {"diffuseFraction"});
         fraction = getNumber(coeffs, "diffuseFraction", validRange::share);
     }
@@ -290,9 +291,70 @@ void Foam::dsmcGas::checkDiffuseWalls() const
 }
 
 
+Foam::dictionary Foam::dsmcGas::settings() const
+{
+    // (No lists of numbers, which the state would have in binary)
+    dictionary d;
+    d.add("typeIdList", names_);
+    forAll(names_, i)
+    {
+        d.add(word("mass_" + names_[i]), species_[i].mass);
+    }
+    d.add("nEquivalentParticles", weight_);
+    return d;
+}
+
+
+void Foam::dsmcGas::checkSettings() const
+{
+    const IOdictionary was
+    (
+        exactSums::state(mesh_, stateName, IOobject::READ_IF_PRESENT)
+    );
+    if (!was.found("typeIdList"))
+    {
+        return;
+    }
+    const dictionary is(settings());
+    for (const entry& e : is)
+    {
+        const word& name = e.keyword();
+        const bool words = name == "typeIdList";
+        const auto value = [&](const dictionary& d)
+        {
+            std::string text;
+            for (const word& w : words ? d.get<wordList>(name) : wordList())
+            {
+                text += (text.empty() ? "" : " ") + w;
+            }
+            return words ? '(' + text + ')' : Foam::name(d.get<scalar>(name));
+        };
+        const bool same =
+            words
+          ? was.get<wordList>(name) == names_
+          : mag(is.get<scalar>(name)/was.get<scalar>(name) - 1) < 1e-9;
+        if (!same)
+        {
+            FatalIOErrorInFunction(properties_)
+                << "The molecules of " << mesh_.time().timePath()
+                << " were written with " << name << ' ' << value(was).c_str()
+                << ", and now it is " << value(is).c_str() << '.' << nl
+                << "They would become others. Go on with what they were"
+                << " written with. To start anew remove uniform there and run"
+                << " dsmcInitialise"
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
 void Foam::dsmcGas::readMolecules()
 {
     const bool found = lagrangianFile::read(mesh_, cloudName, molecules_);
+    if (found)
+    {
+        checkSettings();
+    }
     nStart_ = returnReduce(molecules_.size(), sumOp<label>());
     if (!returnReduce(found || inflow_->active(), orOp<bool>()))
     {
@@ -384,14 +446,8 @@ void Foam::dsmcGas::readSampling()
         {
             refuseOtherMeans(*functions);
         }
-        if (samplingStart_ > mesh_.time().endTime().value())
-        {
-            WarningInFunction
-                << "Entry start of sampling is " << samplingStart_
-                << " s, after the end of the run: the fields of means will be"
-                << " zero. Set it below endTime, or leave the block out"
-                << endl;
-        }
+        warnOfLateStart
+            (*sampling, mesh_.time(), samplingStart_, samplingEvery_);
     }
 }
 

@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "dsmcGas.H"
+#include "exactSums.H"
 #include "lagrangianFile.H"
 #include "maxwellian.H"
 #include "runSummary.H"
@@ -264,6 +265,11 @@ bool Foam::dsmcGas::writeObject(FOAM_COMPAT_WRITE_ARGS_UNUSED) const
         cloudHeader,
         const_cast<moleculeArray&>(molecules_)
     );
+    IOdictionary state(exactSums::state(mesh_, stateName));
+    state.merge(settings());
+    const unsigned precision = IOstream::defaultPrecision(17);
+    state.regIOobject::write();
+    IOstream::defaultPrecision(precision);
     if (means_.valid())
     {
         means_->writeState();

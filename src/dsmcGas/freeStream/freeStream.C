@@ -175,6 +175,16 @@ void Foam::freeStream::checkWeight
             " molecules that enter in a step, here ", n
         );
     }
+    const Time& time = cells_.mesh().time();
+    const scalar steps =
+        (time.endTime().value() - time.value())/time.deltaTValue();
+    if (n > 0 && n*steps < 1)
+    {
+        WarningInFunction
+            << "Of what flows in " << n << " simulated molecules enter in a"
+            << " step, in all of the run none. Lower nEquivalentParticles, now "
+            << weight << endl;
+    }
 }
 
 
@@ -191,7 +201,7 @@ void Foam::freeStream::addInflows
     const polyBoundaryMesh& patches = cells_.mesh().boundaryMesh();
     for (const entry& e : inflows)
     {
-        const dictionary& gas = inflows.subDict(e.keyword());
+        const dictionary& gas = getBlock(inflows, e.keyword());
         refuseOthers(gas, {"numberDensities", "temperature", "velocity"});
         for
         (
@@ -236,7 +246,8 @@ void Foam::freeStream::addInflows
             );
             addPatch
             (
-                gas, patchi, gas.subDict("numberDensities"), names, weight, T, U
+                gas, patchi, getBlock(gas, "numberDensities"), names, weight,
+                T, U
             );
         }
     }
@@ -329,7 +340,7 @@ Foam::freeStream::freeStream
     {
         return;
     }
-    const dictionary& coeffs = dict.subDict("FreeStreamCoeffs");
+    const dictionary& coeffs = getBlock(dict, "FreeStreamCoeffs");
     const dictionary* block = findBlock(coeffs, "inflows");
     const dictionary inflows(block ? *block : dictionary());
     const bool ofStock = coeffs.found("numberDensities") || inflows.empty();
@@ -351,8 +362,8 @@ Foam::freeStream::freeStream
         {
             addPatch
             (
-                dict, patchi, coeffs.subDict("numberDensities"), names, weight,
-                boundaryT->boundaryField()[patchi],
+                dict, patchi, getBlock(coeffs, "numberDensities"), names,
+                weight, boundaryT->boundaryField()[patchi],
                 boundaryU->boundaryField()[patchi]
             );
         }

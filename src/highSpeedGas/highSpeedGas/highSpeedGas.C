@@ -452,8 +452,8 @@ void Foam::highSpeedGas::warnOfSwirl(const vectorField& momentum)
         warnedOfSwirl_ = true;
         WarningInFunction
             << "Particles give the gas momentum about the axis of the wedge, "
-            << 100*mag(swirl_.around)/swirl_.all << " % of all, but it is solved without"
-            << " swirl and does not take it up." << nl
+            << 100*mag(swirl_.around)/swirl_.all << " % of all, but it is"
+            << " solved without swirl and does not take it up." << nl
             << "    Begin with some: a millionth of the speed in one cell of"
             << " the field U is enough" << endl;
     }

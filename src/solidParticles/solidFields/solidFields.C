@@ -185,11 +185,17 @@ Foam::solidFields::solidFields
     duration_(0)
 {
     refuseOthers(dict, {"start", "every", "trials", "fields"});
+    warnOfLateStart(dict, mesh.time(), start_, every_);
     const wordList names
     {
         "numberDensity", "concentration", "U", "T", "exchange", "surface"
     };
-    for (const word& name : dict.get<wordList>("fields"))
+    const wordList fields(getItems<word>(dict, "fields"));
+    if (fields.empty())
+    {
+        refuse(dict, "fields", "()", "one field at least");
+    }
+    for (const word& name : fields)
     {
         const label at = names.find(name);
         if (at < 0)

@@ -295,7 +295,7 @@ void Foam::solidInflow::readInflows()
 
     for (const entry& e : inflows)
     {
-        const dictionary& d = inflows.subDict(e.keyword());
+        const dictionary& d = getBlock(inflows, e.keyword());
         const inflow in(readInflow(d));
         bool found = false;
         forAll(patches, patchi)
@@ -367,7 +367,7 @@ Foam::label Foam::solidInflow::fill
     std::uint32_t number = 0;
     for (const entry& e : fills)
     {
-        const dictionary& d = fills.subDict(e.keyword());
+        const dictionary& d = getBlock(fills, e.keyword());
         const word region(regionOf(d));
         wordList valid
         {

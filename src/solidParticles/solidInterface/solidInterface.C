@@ -28,7 +28,7 @@ Foam::fileName Foam::solidInterface::file() const
 }
 
 
-void Foam::solidInterface::restore()
+void Foam::solidInterface::restore(const dictionary& dict)
 {
     const IOdictionary state
     (
@@ -39,6 +39,24 @@ void Foam::solidInterface::restore()
         return;
     }
     duration_ = state.get<scalar>("duration");
+    const scalar sectors = state.getOrDefault<scalar>("sectors", sectors_);
+    const vector origin(state.getOrDefault<vector>("origin", origin_));
+    if (mag(origin - origin_) > 1e-12*mag(origin))
+    {
+        refuse
+        (
+            dict, "origin", origin_, "that of the records before time ",
+            mesh_.time().timeName(), ", ", origin
+        );
+    }
+    if (sectors != sectors_)
+    {
+        refuse
+        (
+            dict, "sectors", sectors_, "that of the records before time ",
+            mesh_.time().timeName(), ", ", sectors
+        );
+    }
     if (!(duration_ > 0) || !Pstream::master())
     {
         return;
@@ -125,9 +143,15 @@ Foam::solidInterface::solidInterface
     recording_(false)
 {
     refuseOthers(dict, {"patches", "start", "sectors", "origin"});
+    warnOfLateStart(dict, mesh.time(), start_);
 
     isSurface_ = false;
-    for (const wordRe& expression : dict.get<wordRes>("patches"))
+    const wordRes expressions(getItems<wordRe>(dict, "patches"));
+    if (expressions.empty())
+    {
+        refuse(dict, "patches", "()", "one open patch at least");
+    }
+    for (const wordRe& expression : expressions)
     {
         bool found = false;
         wordList open;
@@ -149,7 +173,7 @@ Foam::solidInterface::solidInterface
             unknownWord(dict, "patches: open patch", expression, open);
         }
     }
-    restore();
+    restore(dict);
 }
 
 
@@ -199,5 +223,9 @@ void Foam::solidInterface::write() const
     }
     IOdictionary state(exactSums::state(mesh_, interfaceState));
     state.add("duration", duration_);
+    state.add("sectors", sectors_);
+    state.add("origin", origin_);
+    const unsigned precision = IOstream::defaultPrecision(17);
     state.regIOobject::write();
+    IOstream::defaultPrecision(precision);
 }

@@ -460,11 +460,11 @@ Foam::solidParticles::solidParticles
         }
         fields_.reset
         (
-            new solidFields(properties_.subDict("sampling"), mesh, mass)
+            new solidFields(getBlock(properties_, "sampling"), mesh, mass)
         );
         checked
         (
-            properties_.subDict("sampling"),
+            getBlock(properties_, "sampling"),
             [&]
             {
                 exchange_->setTrials(fields_->trials());
@@ -476,7 +476,7 @@ Foam::solidParticles::solidParticles
     {
         interface_.reset
         (
-            new solidInterface(properties_.subDict("interface"), mesh)
+            new solidInterface(getBlock(properties_, "interface"), mesh)
         );
     }
     describe();

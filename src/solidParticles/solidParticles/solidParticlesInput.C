@@ -15,7 +15,7 @@
 
 void Foam::solidParticles::readGroups()
 {
-    const dictionary& d = properties_.subDict("groups");
+    const dictionary& d = getBlock(properties_, "groups");
     const word type(getWordOf(d, "type", "", {"list", "lognormal"}));
     std::vector<impact::sizeGroups::group> sizes;
     if (type == "list")
@@ -81,7 +81,7 @@ void Foam::solidParticles::readGroups()
 void Foam::solidParticles::readExchange()
 {
     typedef impact::solidExchange law;
-    const dictionary& material = properties_.subDict("material");
+    const dictionary& material = getBlock(properties_, "material");
     refuseOthers(material, {"density", "specificHeat"});
     material_ =
     {
@@ -152,7 +152,7 @@ void Foam::solidParticles::readCorrection()
         }
         return;
     }
-    const dictionary& dict = properties_.subDict(name);
+    const dictionary& dict = getBlock(properties_, name);
     refuseOthers(dict, {"drag", "heat", "densityScale"});
     const auto law = [&]
     (
@@ -258,7 +258,76 @@ bool Foam::solidParticles::readArrays()
     }
     data.omega.resize(spins ? particles_.size() : 0, {0, 0, 0});
     data.spins = spins;
+    checkIdentity();
     return found;
+}
+
+
+void Foam::solidParticles::checkIdentity() const
+{
+    const IOdictionary was
+    (
+        exactSums::state(mesh_, stateName, IOobject::READ_IF_PRESENT)
+    );
+    const scalar density = material_.density;
+    const scalar before = was.getOrDefault<scalar>("density", density);
+    if (mag(before/density - 1) > 1e-9)
+    {
+        FatalIOErrorInFunction(getBlock(properties_, "material"))
+            << "Entry density " << density << ": the particles of "
+            << mesh_.time().timePath() << " were written with " << before
+            << exit(FatalIOError);
+    }
+
+    IOobject sizes
+    (
+        lagrangianFile::file(mesh_, cloudName, "d", IOobject::MUST_READ)
+    );
+    IOobject places
+    (
+        lagrangianFile::file(mesh_, cloudName, "group", IOobject::MUST_READ)
+    );
+    if
+    (
+        !sizes.typeHeaderOk<IOField<scalar>>(true)
+     || !places.typeHeaderOk<IOField<label>>(true)
+    )
+    {
+        return;
+    }
+    const scalar tolerance =
+        max(1e-5, std::pow(10.0, 1.0 - IOstream::defaultPrecision()));
+    const IOField<scalar> d(sizes);
+    const IOField<label> group(places);
+    for (label i = 0; i < min(d.size(), group.size()); i++)
+    {
+        // (what ASCII files leave of it)
+        if
+        (
+            group[i] < 0 || group[i] >= groups_.size()
+         || mag(d[i]/groups_[group[i]].diameter - 1) > tolerance
+        )
+        {
+            FatalIOErrorInFunction(properties_)
+                << "Entry groups: a particle of group " << group[i] << " in "
+                << mesh_.time().timePath()/"lagrangian"/cloudName
+                << " has the diameter " << d[i] << " m, ";
+            if (group[i] >= 0 && group[i] < groups_.size())
+            {
+                FatalIOError
+                    << "that group has " << groups_[group[i]].diameter
+                    << " m.";
+            }
+            else
+            {
+                FatalIOError << "there are groups 0 to "
+                    << groups_.size() - 1 << '.';
+            }
+            FatalIOError
+                << " Go on with the groups that the particles were written"
+                << " with" << exit(FatalIOError);
+        }
+    }
 }
 
 

@@ -104,6 +104,17 @@ void Foam::solidParticles::report()
             << "    collisions with solids: " << c.collisions << " of "
             << c.candidates << " candidates; greatest number of hits of a"
             << " molecule in a step: " << c.maxHits << nl;
+        if (c.maxHits > 10 && !warnedOfHits_)
+        {
+            warnedOfHits_ = true;
+            WarningInFunction
+                << "A molecule is hit " << c.maxHits << " times in a step, of"
+                << " which one counts: the gas cannot take what the particles"
+                << " give it, and the rest waits in the ledger of its cell."
+                << nl << "    A deltaT of " << 5/c.maxHits
+                << " of this one, or less mass of particles, keeps both"
+                << " phases together" << endl;
+        }
         if (c.light)
         {
             Info<< "    particles that exchange by the cell, in the steps: "
@@ -174,6 +185,7 @@ void Foam::solidParticles::writeLedger() const
 void Foam::solidParticles::writeTallies() const
 {
     IOdictionary state(exactSums::state(mesh_, stateName));
+    state.add("density", material_.density);
     const auto sums = [](tally t)
     {
         dictionary d;

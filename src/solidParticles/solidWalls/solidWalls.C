@@ -4,6 +4,7 @@
 
 #include "solidWalls.H"
 #include "checked.H"
+#include "wallPatches.H"
 #include "wallPolyPatch.H"
 #include "wordRes.H"
 
@@ -30,7 +31,7 @@ Foam::List<const Foam::dictionary*> Foam::solidWalls::settingsOf
     {
         for (const entry& e : own ? *own : dictionary::null)
         {
-            const dictionary& d = own->subDict(e.keyword());
+            const dictionary& d = getBlock(*own, e.keyword());
             bool found = false;
             forAll(patches, patchi)
             {
@@ -125,7 +126,9 @@ void Foam::solidWalls::addModel
     dictionary all;
     all.add("patchInteractionModel", model);
     all.add(word(model + "Coeffs"), coeffs);
-    all.subDict(model + "Coeffs").name() = dict.name() + ".walls";
+    dictionary& copied = all.subDict(model + "Coeffs");
+    wallPatches::rename(copied, dict.name() + ".walls");
+    wallPatches::rename(copied.subDict("patches"), copied.name());
     models_.append(PatchInteractionModel<solidCloud>::New(all, cloud_));
 }
 

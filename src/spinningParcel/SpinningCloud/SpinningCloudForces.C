@@ -26,7 +26,12 @@ void Foam::SpinningCloud<CloudType>::setFrame
 ) const
 {
     bool any = false;
-    const auto take = [&](const word& entry, impact::vector3& value)
+    const auto take = [&]
+    (
+        const word& entry,
+        const dimensionSet& dimensions,
+        impact::vector3& value
+    )
     {
         const word name(coeffs.getOrDefault<word>(entry, entry));
         const auto* object =
@@ -50,16 +55,32 @@ void Foam::SpinningCloud<CloudType>::setFrame
                 new uniformDimensionedVectorField(header)
             );
         }
-        if (object)
+        if (!object)
         {
-            any = true;
-            value = toCore(object->value());
+            if (coeffs.found(entry))
+            {
+                refuse
+                (
+                    coeffs, entry.c_str(), name,
+                    "the name of an object, or of a file in constant"
+                );
+            }
+            return;
         }
+        if (object->dimensions() != dimensions)
+        {
+            FatalIOErrorInFunction(coeffs)
+                << "particle force nonInertialFrame: " << name << " has the"
+                << " dimensions " << object->dimensions() << ", valid for "
+                << entry << ": " << dimensions << exit(FatalIOError);
+        }
+        any = true;
+        value = toCore(object->value());
     };
-    take("linearAcceleration", forces.acceleration);
-    take("angularVelocity", forces.Omega);
-    take("angularAcceleration", forces.OmegaDot);
-    take("centreOfRotation", forces.centre);
+    take("linearAcceleration", dimAcceleration, forces.acceleration);
+    take("angularVelocity", dimless/dimTime, forces.Omega);
+    take("angularAcceleration", dimless/sqr(dimTime), forces.OmegaDot);
+    take("centreOfRotation", dimLength, forces.centre);
     if (!any)
     {
         FatalIOErrorInFunction(coeffs)

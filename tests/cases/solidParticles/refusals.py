@@ -127,6 +127,11 @@ EDITS = [   # name, change, texts that the message must hold
      ["trials 2", "perCell"]),
     ("sampling", replace("every 1", "every 0"),
      ["Entry every 0", "valid range"]),
+    ("interfacePatches", replace(
+        "randomSeed 7", "interface { patches (); } randomSeed 7"),
+     ["patches ()", "one open patch"]),
+    ("wordForBlock", replace("randomSeed 7", "interface yes; randomSeed 7"),
+     ["Entry interface is no block", "interface { ... }"]),
     ("report", replace("reportEvery 1", "reportEvery 0"),
      ["reportEvery 0", "valid range"]),
     ("seed", replace("randomSeed 7", "randomSeed -7"),
@@ -139,6 +144,28 @@ EDITS = [   # name, change, texts that the message must hold
 status, text = run(copy_case("good", "unchanged"), "dsmcParcelFoam")
 verdict("good_runs", status == 0
         and "of 8 cells are less" not in text, complaint(text))
+
+case = copy_case("good", "late")
+edit(case, PROPERTIES, "start 0", "start 1")
+status, text = run(case, "dsmcParcelFoam")
+verdict("lateStart_warns", status == 0 and "Block sampling begins at 1 s" in
+        " ".join(text.split()) and "it adds nothing" in text, complaint(text))
+
+# What the run has written goes on as what it was
+GAS = "constant/dsmcProperties"
+for name, file, old, new, texts in (
+        ("sizes", PROPERTIES, "(3e-06 6e-06)", "(6e-06 3e-06)",
+         ["groups", "3e-06 m", "6e-06 m"]),
+        ("density", PROPERTIES, "density 2700.0", "density 2600",
+         ["density 2600", "2700"]),
+        ("weight", GAS, "nEquivalentParticles 1000000000000000.0",
+         "nEquivalentParticles 2e15", ["nEquivalentParticles", "dsmcInit"]),
+        ("molecule", GAS, "mass 6.63e-26", "mass 6.7e-26",
+         ["mass_Ar 6.63e-26", "6.7e-26"])):
+    case = copy_case("unchanged", "restart_" + name)
+    edit(case, "system/controlDict", "endTime 1e-06", "endTime 2e-06")
+    edit(case, file, old, new)
+    refuses(f"refuses_other_{name}", case, texts)
 
 case = copy_case("good", "large")
 edit(case, PROPERTIES, "(3e-06 6e-06)", "(3e-06 0.06)")

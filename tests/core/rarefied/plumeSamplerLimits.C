@@ -131,7 +131,7 @@ TEST(plumeSampler, refusesWhatIsOutOfRange)
     (
         complaintOf
             ([] { records({{{0, 0, 0}, {1, 0, 0}, 9, 1e-5, 0}}); }),
-        "no record with a weight"
+        "none of its records has a weight"
     ));
 
     auto refused = [&](const char* words, auto change)

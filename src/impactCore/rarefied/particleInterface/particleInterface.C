@@ -6,8 +6,9 @@
 #include "csvLine.H"
 #include "outOfRange.H"
 
-#include <cstdlib>
+#include <charconv>
 #include <fstream>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -140,10 +141,26 @@ impact::particleInterface::read(const std::string& file)
             }
             else
             {
-                char* end;
-                values[place[i]] = std::strtod(at, &end);
-                const bool read = end != at;
-                at = end;
+                // (strtod of too large a number ends a run that traps)
+                while (*at == ' ' || *at == '\t')
+                {
+                    ++at;
+                }
+                at += *at == '+' && at[1] != '-';
+                const auto number = std::from_chars
+                    (at, line.c_str() + line.size(), values[place[i]]);
+                bool read = number.ec == std::errc();
+                if (number.ec == std::errc::result_out_of_range)
+                {
+                    read = true;
+                    const std::string text(at, number.ptr);
+                    values[place[i]] =
+                        text.find("e-") != std::string::npos
+                     || text.find("E-") != std::string::npos
+                      ? 0
+                      : std::numeric_limits<double>::infinity();
+                }
+                at = number.ptr;
                 while (*at == ' ' || *at == '\r')
                 {
                     ++at;

@@ -65,7 +65,7 @@ impact::plumeSource impact::plumeSource::interface
     {
         throw std::invalid_argument
         (
-            "the interface file has no record with a weight > 0"
+            "file: none of its records has a weight > 0"
         );
     }
     std::stable_sort
