@@ -40,15 +40,11 @@ const wordHashSet ofFlux
     "pressureInletOutletParSlipVelocity", "fluxCorrectedVelocity"
 };
 
-// Conditions on p of gas outside, and on U that take what it gives from the gas
-// inside
-const wordHashSet ofAmbience
-{
-    "fixedValue", "uniformFixedValue", "totalPressure", "uniformTotalPressure"
-};
+// Conditions that take the velocity of what comes in from the gas inside (as
+// those of the flux do)
 const wordHashSet takesVelocity
 {
-    "pressureInletOutletVelocity", "zeroGradient", "inletOutlet"
+    "pressureInletOutletVelocity", "zeroGradient"
 };
 
 // Conditions on the pressure that leave its value at a wall to the gas
@@ -104,6 +100,7 @@ void Foam::gasEquations::setPatches()
     wall_.setSize(mesh_.boundary().size(), false);
     ofFlux_.setSize(mesh_.boundary().size(), false);
     pressed_.setSize(mesh_.boundary().size(), false);
+    fed_.setSize(mesh_.boundary().size(), false);
 
     for (const gasMesh::patchRange& patch : geometry_.patches())
     {
@@ -118,7 +115,12 @@ void Foam::gasEquations::setPatches()
 
         ofFlux_[patchi] = ofFlux.found(Up.type());
         pressed_[patchi] =
-            !patch.coupled && ofAmbience.found(pressure.type())
+            !(patch.coupled || patch.image() || slip)
+         && !leavesPressure.found(pressure.type())
+         && !ofFixedVelocity.found(Up.type())
+         && Up.type() != "uniformFixedValue";
+        fed_[patchi] =
+            pressed_[patchi]
          && (ofFlux_[patchi] || takesVelocity.found(Up.type()));
 
         // Whether the condition on U never lets gas through
@@ -489,7 +491,7 @@ void Foam::gasEquations::correctBoundary()
         }
         const label patchi = patch.patchi;
         evaluateVelocity(patchi);
-        if (pressed_[patchi])
+        if (fed_[patchi])
         {
             evaluateAmbience(patchi);
         }
@@ -630,7 +632,7 @@ void Foam::gasEquations::takeBoundary()
             }
             if (pressed_[patchi])
             {
-                leave(patch.start + i, q);
+                leave(patch.start + i, q, fed_[patchi]);
             }
         }
     }

@@ -70,7 +70,9 @@ void Foam::gasEquations::evaluateAmbience(const label patchi)
     Up == velocity;
     Tp.evaluate();
 
+    // Along the patch a stream may be faster
     vectorField U(velocity);
+    const vectorField n(Up.patch().nf());
     forAll(U, i)
     {
         const scalar aa =
@@ -79,9 +81,10 @@ void Foam::gasEquations::evaluateAmbience(const label patchi)
           : eos_.soundSpeedSqr<false>(T0[i]);
         const scalar gamma = aa/(eos_.R*T0[i]);
         const scalar limit = T0[i] == Tp[i] ? aa : 2*aa/(gamma + 1);
-        if (phip[i] < 0 && magSqr(U[i]) > limit)
+        const scalar un = U[i] & n[i];
+        if (un < 0 && sqr(un) > limit)
         {
-            U[i] *= std::sqrt(limit/magSqr(U[i]));
+            U[i] -= (un + std::sqrt(limit))*n[i];
         }
     }
     Up == U;
@@ -101,7 +104,12 @@ bool Foam::gasEquations::sweptOut(const label f, const double p) const
 }
 
 
-void Foam::gasEquations::leave(const label f, double* q) const
+void Foam::gasEquations::leave
+(
+    const label f,
+    double* q,
+    const bool fed
+) const
 {
     const double* inside = &primitive[geometry_.owner[f]*nVar_];
     double a;
@@ -116,6 +124,21 @@ void Foam::gasEquations::leave(const label f, double* q) const
         return;
     }
 
+    // Below the pressure at which it leaves with the speed of sound it feels
+    // no more of it
+    double choked[8];
+    std::copy(inside, inside + nVar_, choked);
+    drain(f, choked);
+    if (q[0] < choked[0])
+    {
+        std::copy(choked, choked + nVar_, q);
+        return;
+    }
+
+    if (!fed)
+    {
+        return;
+    }
     if (rough_)
     {
         // On the way waves are to leave
@@ -191,7 +214,14 @@ void Foam::gasEquations::reportOpenPatches(const bool steady) const
         scalar shocked = 0;
         scalar returning = 0;
         scalar choked = 0;
+        scalar driven = 0;
         scalar unfelt = 0;
+        scalar slow = 0;
+        const fvPatchScalarField& pp =
+            thermo_.p().boundaryField()[patch.patchi];
+        const bool ofStatic =
+            fed_[patch.patchi]
+         && (pp.type() == "fixedValue" || pp.type() == "uniformFixedValue");
         for (label f = patch.start; f < patch.start + patch.size; f++)
         {
             double a;
@@ -209,17 +239,21 @@ void Foam::gasEquations::reportOpenPatches(const bool steady) const
                 shocked += geometry_.area[f];
             }
             choked +=
-                pressed_[patch.patchi] && un < 0 && uu > 0.999*a*a
+                fed_[patch.patchi] && un < -0.999*a ? geometry_.area[f] : 0;
+
+            // Of gas that has come from rest, more than the pressure given
+            const scalar gamma = a*a/(eos_.R*outside[1]);
+            driven +=
+                ofStatic && un < 0 && 0.5*gamma*sqr(un/a) > 0.05
               ? geometry_.area[f]
               : 0;
-
-            const label i = f - patch.start;
-            const scalar p = thermo_.p().boundaryField()[patch.patchi][i];
+            const scalar p = pp[f - patch.start];
             unfelt +=
                 pressed_[patch.patchi] && sweptOut(f, p)
              && mag(p/inside[0] - 1) > 0.05
               ? geometry_.area[f]
               : 0;
+            slow += outwardSpeed(f, inside, a) < a ? geometry_.area[f] : 0;
 
             // (along a patch gas may come by round-off)
             returning += un < -1e-3*a ? geometry_.area[f] : 0;
@@ -228,7 +262,9 @@ void Foam::gasEquations::reportOpenPatches(const bool steady) const
         reduce(shocked, sumOp<scalar>());
         reduce(returning, sumOp<scalar>());
         reduce(choked, sumOp<scalar>());
+        reduce(driven, sumOp<scalar>());
         reduce(unfelt, sumOp<scalar>());
+        reduce(slow, sumOp<scalar>());
         if (shocked > least*all)
         {
             WarningInFunction
@@ -243,16 +279,26 @@ void Foam::gasEquations::reportOpenPatches(const bool steady) const
                 << "Gas comes in at the speed of sound through "
                 << 100*choked/all << " % of patch "
                 << mesh_.boundary()[patch.patchi].name()
-                << ", whose condition on p can give no more. If it is to come"
-                << " in faster set fixedValue on p, T and U" << endl;
+                << ", whose condition on p can give no more" << endl;
+        }
+        if (driven > 0.01*all)
+        {
+            WarningInFunction
+                << "Gas comes in through " << 100*driven/all << " % of patch "
+                << mesh_.boundary()[patch.patchi].name()
+                << " with the pressure that is given and a velocity that makes"
+                << " its total pressure 5 % more or beyond. If it comes from"
+                << " rest set totalPressure on p and totalTemperature on T"
+                << endl;
         }
         if (unfelt > 0.01*all)
         {
             WarningInFunction
                 << "Gas leaves faster than sound through " << 100*unfelt/all
                 << " % of patch " << mesh_.boundary()[patch.patchi].name()
-                << ", where it does not feel the condition on p: set"
-                << " zeroGradient, or put the patch farther out" << endl;
+                << ", where it does not feel the condition on p: "
+                << (slow > 0.01*all ? "" : "set zeroGradient, or ")
+                << "put the patch farther out" << endl;
         }
         const bool outlet =
             U_.boundaryField()[patch.patchi].type() == "zeroGradient";
@@ -262,8 +308,9 @@ void Foam::gasEquations::reportOpenPatches(const bool steady) const
                 << "Gas comes back through " << 100*returning/all
                 << " % of patch " << mesh_.boundary()[patch.patchi].name()
                 << ", whose condition on U is zeroGradient: it says nothing of"
-                << " what comes. Set pressureInletOutletVelocity on U and"
-                << " inletOutlet on T" << endl;
+                << " what comes. Set pressureInletOutletVelocity on U,"
+                << " inletOutlet on T and, if gas is at rest outside,"
+                << " totalPressure on p" << endl;
         }
     }
 }

@@ -150,8 +150,12 @@ void Foam::gasEquations::spectralRadius(std::vector<double>& lambda) const
 }
 
 
-void Foam::gasEquations::centralRadius(std::vector<double>& lambda) const
+void Foam::gasEquations::centralRadius(std::vector<double>& lambda)
 {
+    if (returnReduce(brokenFace_ >= 0, orOp<bool>()))
+    {
+        reportInvalidCells();
+    }
     soundSpeed(soundSpeed_);
     faceLambda_.resize(geometry_.nFaces());
 

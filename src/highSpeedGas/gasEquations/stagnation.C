@@ -105,6 +105,16 @@ void Foam::gasEquations::reportStagnation() const
     // (a captured shock may overshoot by some per cent)
     const bool expands = largest > sqr(1.05*streamMach);
     const scalar lost = nCells ? 1 - total/(volume*pitot) : 0;
+    if (lost < -0.02)
+    {
+        WarningInFunction
+            << "In " << nCells << " cells around " << place/volume
+            << " the gas comes nearly to rest, and its total pressure is "
+            << -100*lost << " % above that behind a normal shock of the"
+            << " stream. That is right behind weaker shocks, before a blunt"
+            << " nose it is not: a shock across slanted mesh lines loses too"
+            << " little. Let alignMeshToShock move the mesh" << endl;
+    }
     if (!expands && lost > 0.02)
     {
         WarningInFunction

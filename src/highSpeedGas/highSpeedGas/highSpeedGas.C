@@ -484,6 +484,10 @@ void Foam::highSpeedGas::account(runSummary& summary) const
 {
     summary.part("gas", cpuTime_);
     gasEntropy(*equations_, phi_).reportLoss(leastEntropy_);
+    if (mode_ == modeType::transient)
+    {
+        equations_->reportOpenPatches(false);
+    }
     if (feedback_.valid())
     {
         feedback_->warnUnlessAtRest();
