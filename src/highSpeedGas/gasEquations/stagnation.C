@@ -16,13 +16,11 @@ bool Foam::gasEquations::supersonicStream
 
     for (const gasMesh::patchRange& patch : geometry_.patches())
     {
+        // (On curved walls of wedges round values of U point inwards)
         const label end = patch.start + patch.size;
-        for
-        (
-            label f = patch.coupled || patch.image() ? end : patch.start;
-            f < end;
-            f++
-        )
+        const bool shut =
+            patch.coupled || patch.image() || frictionless_[patch.patchi];
+        for (label f = shut ? end : patch.start; f < end; f++)
         {
             const double* q = &primitive[geometry_.far[f]*nVar_];
             double a;
