@@ -185,6 +185,14 @@ def box(lengths, start=(0, 0, 0)):
                          (a[0], b[1]))]
 
 
+def wedge_point(point, side, half):
+    """A vertex (x, r) of a wedge about x of half an angle [rad], on its plane
+    -1 or 1, or 0 on the axis."""
+    x, r = point
+    return (f"({float(x)!r} {float(r*np.cos(half))!r}"
+            f" {float(side*r*np.sin(half))!r})")
+
+
 HCONST = f"Cp {GAMMA*R_GAS/(GAMMA - 1)!r}; Hf 0;"
 
 

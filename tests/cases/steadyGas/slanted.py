@@ -8,7 +8,7 @@ import numpy as np
 
 from bluntBody import P, T, SOUND, pitot
 from caseTools import (copy_case, last_fields, must, solve, verdict,
-                       write_case, write_field, write_foam)
+                       wedge_point, write_case, write_field, write_foam)
 
 MACH, HALF, CONE = 2.0, np.radians(2.5), np.radians(15)
 LENGTH, NS, NN = 4, 60, 40
@@ -28,9 +28,7 @@ outer = body + normal*(0.8 + 4.7*way/way[-1])[:, None]
 
 
 def at(point, side):
-    x, r = point
-    return (f"({float(x)!r} {float(r*np.cos(HALF))!r}"
-            f" {float(side*r*np.sin(HALF))!r})")
+    return wedge_point(point, side, HALF)
 
 
 def line(curve, side):

@@ -7,7 +7,8 @@ first; stands in a temporary folder."""
 import numpy as np
 
 from caseTools import (GAMMA, R_GAS, last_fields, must, read_field, solve,
-                       times_of, verdict, write_case, write_field, write_foam)
+                       times_of, verdict, wedge_point, write_case, write_field,
+                       write_foam)
 
 CP = GAMMA*R_GAS/(GAMMA - 1)
 P0, T0 = 1e6, 1000.0
@@ -27,8 +28,7 @@ def radius(x, inlet, outlet):
 
 def prepare(case, inlet, outlet, p, U, back=None):
     def at(x, r, side):
-        return (f"({float(x)!r} {float(r*np.cos(HALF))!r}"
-                f" {float(side*r*np.sin(HALF))!r})")
+        return wedge_point((x, r), side, HALF)
 
     def contour(side):
         x = np.linspace(-CHAMBER, LENGTH - CHAMBER, 400)[1:-1]
