@@ -414,9 +414,14 @@ void Foam::shockAlignment::move
     {
         after[columni] = layers_.depths(columni)/distance[columni];
     }
-    take(p, before, after);
-    take(T, before, after);
-    take(U, before, after);
+    // Cells of an unchanged spacing keep their values, and with them the
+    // profile of the shock, which would have to be found anew
+    if (width != width_)
+    {
+        take(p, before, after);
+        take(T, before, after);
+        take(U, before, after);
+    }
 
     moves_++;
     narrows_ = width < 0.9*width_;
