@@ -340,7 +340,9 @@ void Foam::completeWrite::checkStart(const Time& runTime)
                 << "File " << file << ' ' << what << ": its size or checksum"
                 << " is not that of the list " << top/"uniform"/"complete"
                 << nl << "Restore it, or start from another time. If it was"
-                << " changed on purpose, remove that list"
+                << " changed on purpose, and cells have the numbers they had"
+                << " (renumberMesh belongs before the first run), remove that"
+                << " list"
                 << exit(FatalError);
         }
     }

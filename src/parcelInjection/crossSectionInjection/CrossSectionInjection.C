@@ -4,6 +4,7 @@
 
 #include "CrossSectionInjection.H"
 #include "checked.H"
+#include "exactText.H"
 #include "ListListOps.H"
 #include "ListOps.H"
 #include "wordRes.H"
@@ -358,6 +359,38 @@ bool Foam::CrossSectionInjection<CloudType>::behindFront
 
 
 template<class CloudType>
+void Foam::CrossSectionInjection<CloudType>::resume()
+{
+    typedef typename IdentifiedInjection<CloudType>::sequence sequence;
+
+    string begun;
+    this->getModelProperty("begin", begun);
+    const auto past = this->resumed(!begun.empty() || filled_ || next_ > 0);
+    const scalar now = this->owner().db().time().value();
+    if (past == sequence::changed)
+    {
+        filled_ = true;
+        firstMember_ = next_;
+        begin_ = max(this->SOI_, now);
+        Info<< "    " << this->modelName() << ": entries are not those of the"
+            << " run before, whose stream ends; this one begins at " << begin_
+            << " s" << endl;
+    }
+    else if (past == sequence::continued)
+    {
+        firstMember_ = this->template getModelProperty<label>("firstMember");
+        begin_ =
+            begun.empty() ? this->SOI_ : exactNumber(begun);
+    }
+    else
+    {
+        begin_ = plane_ || prefill_ ? this->SOI_ : max(this->SOI_, now);
+    }
+    this->setIdentities(past);
+}
+
+
+template<class CloudType>
 typename Foam::CrossSectionInjection<CloudType>::newParcel
 Foam::CrossSectionInjection<CloudType>::parcel
 (
@@ -399,7 +432,7 @@ void Foam::CrossSectionInjection<CloudType>::select
             << nl << "Valid: a mesh at rest, or rakeInjection at points that"
             << " stay in the mesh" << exit(FatalIOError);
     }
-    if (t0 < this->SOI_)
+    if (t0 < begin_)
     {
         return;
     }
@@ -408,7 +441,7 @@ void Foam::CrossSectionInjection<CloudType>::select
     // longer than this one that was
     const Time& time = this->owner().db().time();
     const scalar step = max(time.deltaTValue(), time.deltaT0Value());
-    bool late = !filled_ && t0 - this->SOI_ > step;
+    bool late = !filled_ && t0 - begin_ > step;
     if (!filled_)
     {
         filled_ = true;
@@ -435,7 +468,8 @@ void Foam::CrossSectionInjection<CloudType>::select
 
     // Parcels that entered so long ago that they have left again
     const scalar oldest =
-        (t0 - this->SOI_ - meshLength()/mag(this->U0()))*sequenceRate_;
+        firstMember_
+      + (t0 - begin_ - meshLength()/mag(this->U0()))*sequenceRate_;
     if (oldest > next_)
     {
         next_ = oldest;
@@ -447,9 +481,9 @@ void Foam::CrossSectionInjection<CloudType>::select
         scalar instant;
         point p;
         const bool enters = entry(next_, instant, p);
-        const scalar since = (next_ + instant)/sequenceRate_;
-        const scalar t = this->SOI_ + since;
-        if (t > t0 || since > duration_)
+        const scalar since = (next_ - firstMember_ + instant)/sequenceRate_;
+        const scalar t = begin_ + since;
+        if (t > t0 || begin_ - this->SOI_ + since > duration_)
         {
             break;
         }
@@ -472,6 +506,8 @@ void Foam::CrossSectionInjection<CloudType>::store()
     // The last one placed has passed the check against the largest label
     this->template setModelProperty<label>("next", next_);
     this->template setModelProperty<label>("filled", filled_);
+    this->template setModelProperty<label>("firstMember", firstMember_);
+    this->template setModelProperty<string>("begin", exactText(begin_));
 }
 
 
@@ -551,6 +587,7 @@ Foam::CrossSectionInjection<CloudType>::CrossSectionInjection
         }
         nBox_ = std::llround(n);
     }
+    resume();
 
     Info<< "    " << modelName << ": " << rate_ << " parcels/s enter";
     if (nBox_)

@@ -5,6 +5,7 @@
 #include "IdentifiedInjection.H"
 #include "checked.H"
 #include "cellLocator.H"
+#include "IOField.H"
 #include "stockCloudEntries.H"
 
 #include <cmath>
@@ -42,6 +43,54 @@ Foam::dictionary Foam::IdentifiedInjection<CloudType>::complete
         getNumber(result, "nParticle", validRange::number, scalar(1))
     );
     return result;
+}
+
+
+template<class CloudType>
+Foam::label Foam::IdentifiedInjection<CloudType>::largestIdentity() const
+{
+    label largest = -1;
+    if (this->properties().found(this->baseName()))
+    {
+        const dictionary& models =
+            this->properties().subDict(this->baseName());
+        for (const entry& model : models)
+        {
+            if (model.isDict())
+            {
+                largest = max
+                (
+                    largest,
+                    model.dict().template getOrDefault<label>("used", -1)
+                );
+            }
+        }
+    }
+
+    const auto numbers = [&](const word& name)
+    {
+        const IOobject io
+        (
+            this->owner().fieldIOobject(name, IOobject::MUST_READ)
+        );
+        IOobject header(io);
+        const bool here = header.typeHeaderOk<IOField<label>>(false);
+        if (!returnReduce(here, orOp<bool>()))
+        {
+            return labelList();
+        }
+        return labelList(IOField<label>(io, here));
+    };
+    const labelList origId(numbers("origId"));
+    const labelList origProc(numbers("origProcId"));
+    forAll(origProc, i)
+    {
+        if (origProc[i] == 0 && i < origId.size())
+        {
+            largest = max(largest, origId[i]);
+        }
+    }
+    return returnReduce(largest, maxOp<label>());
 }
 
 
@@ -162,6 +211,56 @@ Foam::scalar Foam::IdentifiedInjection<CloudType>::thickness() const
 
 
 template<class CloudType>
+typename Foam::IdentifiedInjection<CloudType>::sequence
+Foam::IdentifiedInjection<CloudType>::resumed(const bool known) const
+{
+    string before;
+    this->getModelProperty("settings", before);
+    return
+        !known ? sequence::fresh
+      : before.empty() || before == settings_ ? sequence::continued
+      : sequence::changed;
+}
+
+
+template<class CloudType>
+void Foam::IdentifiedInjection<CloudType>::setIdentities(const sequence past)
+{
+    string before;
+    this->getModelProperty("models", before);
+    usedBefore_ = this->template getModelProperty<label>("used", -1);
+    if (past == sequence::continued && (before.empty() || before == models_))
+    {
+        base_ = this->template getModelProperty<label>("base");
+        first_ = this->template getModelProperty<label>("first");
+        return;
+    }
+
+    // Multiples of one number: identities stay interleaved
+    const int64_t next = int64_t(largestIdentity()) + 1;
+    base_ = (next + nModels_ - 1)/nModels_*nModels_;
+    first_ = past == sequence::fresh ? 0 : given();
+}
+
+
+template<class CloudType>
+void Foam::IdentifiedInjection<CloudType>::storeIdentities()
+{
+    this->template setModelProperty<string>("models", models_);
+    this->template setModelProperty<string>("settings", settings_);
+    this->template setModelProperty<label>("base", base_);
+    this->template setModelProperty<label>("first", first_);
+    this->template setModelProperty<label>
+    (
+        "used",
+        given() > first_
+      ? max(usedBefore_, identity(given() - 1))
+      : usedBefore_
+    );
+}
+
+
+template<class CloudType>
 bool Foam::IdentifiedInjection<CloudType>::validInjection(const label parcelI)
 {
     // The base class takes the time of injection from here: the end of the
@@ -224,6 +323,7 @@ bool Foam::IdentifiedInjection<CloudType>::prepareForNextTimeStep
     if (this->writeTime())
     {
         store();
+        storeIdentities();
     }
 
     return newParcels > 0;
@@ -289,6 +389,16 @@ Foam::IdentifiedInjection<CloudType>::IdentifiedInjection
     );
     nModels_ = max(1, models.size());
     modelIndex_ = max(0, models.find(modelName));
+    for (const word& model : models)
+    {
+        models_ += model + " ";
+    }
+
+    // The stream may last longer and be called otherwise
+    dictionary deciding(this->coeffDict());
+    deciding.remove("duration");
+    deciding.remove("injectorID");
+    settings_ = deciding.digest().str();
 
     // The first point search builds data with communication between ranks
     (void)owner.mesh().tetBasePtIs();
@@ -303,7 +413,7 @@ Foam::label Foam::IdentifiedInjection<CloudType>::identity
     const int64_t k
 ) const
 {
-    const int64_t id = modelIndex_ + nModels_*k;
+    const int64_t id = base_ + modelIndex_ + nModels_*(k - first_);
     if (id > labelMax)
     {
         FatalErrorInFunction

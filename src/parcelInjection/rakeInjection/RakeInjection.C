@@ -104,6 +104,19 @@ Foam::RakeInjection<CloudType>::RakeInjection
             );
         }
     }
+
+    const auto past = this->resumed(released_);
+    const scalar now = owner.db().time().value();
+    if (past == IdentifiedInjection<CloudType>::sequence::changed)
+    {
+        const scalar rounding = 1e-6*owner.db().time().deltaTValue();
+        released_ = this->SOI_ < now - rounding;
+        Info<< "    " << modelName << ": released in a run before, with other"
+            << " entries; "
+            << (released_ ? "not released again (startTime has passed)"
+                          : "released again at startTime") << endl;
+    }
+    this->setIdentities(past);
 }
 
 

@@ -173,24 +173,6 @@ void Foam::SpinningCloud<CloudType>::setModels()
 
 
 template<class CloudType>
-void Foam::SpinningCloud<CloudType>::readEddies()
-{
-    IOobject header(this->fieldIOobject(eddyNumber, IOobject::MUST_READ));
-    if (!eddies_.valid() || !header.typeHeaderOk<IOField<label>>(false))
-    {
-        return;
-    }
-    IOField<label> number(header, this->size() > 0);
-    this->checkFieldIOobject(*this, number);
-    label i = 0;
-    for (parcelType& p : *this)
-    {
-        p.nEddies() = number[i++];
-    }
-}
-
-
-template<class CloudType>
 void Foam::SpinningCloud<CloudType>::setCollisions()
 {
     const dictionary& solution = this->solution().dict();
@@ -212,40 +194,6 @@ void Foam::SpinningCloud<CloudType>::setCollisions()
                 coeffs ? *coeffs : dictionary(solution, dictionary())
             )
         );
-    }
-}
-
-
-template<class CloudType>
-void Foam::SpinningCloud<CloudType>::checkTemperatures()
-{
-    label without = 0;
-    for (parcelType& p : *this)
-    {
-        scalar& T = p.temperature();
-        if (!heat_.valid())
-        {
-            T = 0;
-        }
-        else if (T == 0)
-        {
-            T = heat_->T0();
-            ++without;
-        }
-        else if (!(T > 0 && T < 1e8))
-        {
-            FatalErrorInFunction
-                << "File " << this->fieldIOobject("T", IOobject::NO_READ)
-                   .objectPath()
-                << " has a temperature of " << T << " K: valid range "
-                << validRange::temperature << exit(FatalError);
-        }
-    }
-    reduce(without, sumOp<label>());
-    if (without)
-    {
-        Info<< "Parcels without a temperature, which begin at T0 "
-            << heat_->T0() << " K: " << without << endl;
     }
 }
 
@@ -292,9 +240,11 @@ Foam::SpinningCloud<CloudType>::SpinningCloud
         {
             parcelType::readFields(*this);
             readEddies();
+            checkPlaces();
             readFlights();
             this->deleteLostParticles();
             checkTemperatures();
+            checkIdentities();
         }
         setCollisions();
     }
@@ -409,6 +359,9 @@ void Foam::SpinningCloud<CloudType>::setParcelThermoProperties
     CloudType::setParcelThermoProperties(parcel, lagrangianDt);
     parcel.omega() = rotation_ ? this->constProps().omega0() : vector::zero;
     parcel.temperature() = heat_.valid() ? heat_->T0() : 0;
+
+    // That of our injection models is 0, those of stock ones are others
+    ++parcel.origProc();
 }
 
 

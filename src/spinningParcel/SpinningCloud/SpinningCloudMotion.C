@@ -365,51 +365,6 @@ void Foam::SpinningCloud<CloudType>::writeFields() const
 
 
 template<class CloudType>
-void Foam::SpinningCloud<CloudType>::readFlights()
-{
-    IOobject xHeader(this->fieldIOobject(exactPosition, IOobject::MUST_READ));
-    IOobject cellHeader(this->fieldIOobject(convexCell, IOobject::MUST_READ));
-    const bool there =
-        embedded_.valid()
-     && xHeader.typeHeaderOk<IOField<vector>>(false)
-     && cellHeader.typeHeaderOk<IOField<label>>(false);
-    if (!there)
-    {
-        return;
-    }
-    IOField<vector> x(xHeader);
-    IOField<label> cell(cellHeader);
-    this->checkFieldIOobject(*this, x);
-    this->checkFieldIOobject(*this, cell);
-    label i = 0;
-    for (parcelType& p : *this)
-    {
-        const label celli = cell[i];
-        if (celli < 0 || p.cell() < 0)
-        {
-            ++i;
-            continue;
-        }
-        const scalar reach = 1e-9*cbrt(this->mesh().cellVolumes()[p.cell()]);
-        if (mag(x[i] - p.position()) < reach)
-        {
-            // Cells have other numbers on another decomposition
-            const bool known =
-                celli < cells().size() && cells().meshCell(celli) == p.cell();
-            const impact::vector3 at(toCore(x[i]));
-            p.setFlight
-            ({
-                at,
-                known && cells().height(celli, at) < reach
-              ? celli : cells().locate(p.cell(), at)
-            });
-        }
-        ++i;
-    }
-}
-
-
-template<class CloudType>
 void Foam::SpinningCloud<CloudType>::writeObjects(objectRegistry& obr) const
 {
     const settled now(*this);

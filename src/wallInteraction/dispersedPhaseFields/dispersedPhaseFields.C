@@ -129,7 +129,7 @@ void Foam::dispersedPhaseFields::makeFields()
         {
             number[celli] = s[WEIGHT]/(V[celli]*time_);
             concentration[celli] = s[VOLUME]/(V[celli]*time_);
-            rms[celli] = sqrt(s[SCATTER]/s[WEIGHT]);
+            rms[celli] = sqrt(max(s[SCATTER], 0.0)/s[WEIGHT]);
         }
     }
     number.correctBoundaryConditions();
@@ -165,7 +165,20 @@ Foam::dispersedPhaseFields::dispersedPhaseFields
 {
     if (restart_.found())
     {
-        time_ = restart_.scalars()[0];
+        const scalarList& numbers = restart_.scalars();
+        time_ = numbers[0];
+        if
+        (
+            numbers.size() == 3
+         && (numbers[1] != window_.start() || numbers[2] != interval_)
+        )
+        {
+            FatalIOErrorInFunction(dict)
+                << functionName << ": the averages kept in "
+                << restart_.objectPath() << " were made with another interval"
+                << " or start of the window. Restore those, or begin new"
+                << " averages with restart anew;" << exit(FatalIOError);
+        }
         read<volScalarField::Internal>("weight", dict, WEIGHT);
         read<volScalarField::Internal>("volume", dict, VOLUME);
         read<volScalarField::Internal>("scatter", dict, SCATTER);
@@ -187,7 +200,8 @@ bool Foam::dispersedPhaseFields::begin()
     {
         FatalErrorInFunction
             << prefix_ << " the mesh moves or changes; the averages are those"
-            << " over cells that stay" << exit(FatalError);
+            << " over cells that stay." << nl
+            << "Take the function out of cloudFunctions" << exit(FatalError);
     }
     fields_.clear();
 
@@ -213,7 +227,10 @@ void Foam::dispersedPhaseFields::end()
     {
         pastWrite::catchUp(mesh_, field);
     }
-    restart_.set(labelList(), scalarList(1, time_));
+    restart_.set
+    (
+        labelList(), scalarList({time_, window_.start(), scalar(interval_)})
+    );
 
     scalar particles = 0;
     forAll(mesh_.V(), celli)

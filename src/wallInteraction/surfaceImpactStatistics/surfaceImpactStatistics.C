@@ -448,7 +448,8 @@ void Foam::surfaceImpactStatistics::begin(const bool hot)
     {
         FatalErrorInFunction
             << functionName_ << ": the mesh moves or changes; the averages are"
-            << " those over faces that stay" << exit(FatalError);
+            << " those over faces that stay." << nl
+            << "Take the function out of cloudFunctions" << exit(FatalError);
     }
     fields_.clear();
     averaging_ = window_.open();

@@ -3,14 +3,13 @@
 \*---------------------------------------------------------------------------*/
 
 #include "wallCounters.H"
+#include "exactText.H"
 #include "ListOps.H"
 #include "PstreamReduceOps.H"
 #include "ops.H"
 #include "withheldOutput.H"
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 
 namespace Foam
 {
@@ -23,16 +22,12 @@ namespace
 
 using namespace Foam;
 
-//- Numbers as strings: the cloud's output properties are written as text, of
-//  as many digits as writePrecision says, which are too few for counts
-List<string> exactText(const scalarList& numbers)
+List<string> exactTexts(const scalarList& numbers)
 {
     List<string> texts(numbers.size());
     forAll(numbers, i)
     {
-        char text[32];
-        std::snprintf(text, sizeof(text), "%.17g", numbers[i]);
-        texts[i] = text;
+        texts[i] = exactText(numbers[i]);
     }
     return texts;
 }
@@ -61,7 +56,7 @@ scalarList readTotals(const dictionary& stored, const word& entry)
     scalarList totals(texts.size());
     forAll(texts, i)
     {
-        totals[i] = std::strtod(texts[i].c_str(), nullptr);
+        totals[i] = exactNumber(texts[i]);
     }
     return totals;
 }
@@ -209,7 +204,7 @@ void Foam::wallCounters::report
 
         if (store)
         {
-            stored.set(entry, exactText(total));
+            stored.set(entry, exactTexts(total));
             forAll(p.ofRun, i)
             {
                 p.ofRun[i] += p.sinceStored[i];
