@@ -194,13 +194,8 @@ void Foam::gasEquations::centralRadius(std::vector<double>& lambda)
         );
         if (patch.wedge && geometry_.inSection())
         {
-            // As the stock solver has it, through both sides
-            for (label f = patch.start; f < patch.start + patch.size; f++)
-            {
-                faceLambda_[f] =
-                    soundSpeed_[geometry_.owner[f]]
-                   *geometry_.sidesPerArea*geometry_.area[f];
-            }
+            // Nothing moves through the sides of a section
+            std::fill_n(faceLambda_.begin() + patch.start, patch.size, 0);
         }
     }
     sumOverFaces(faceLambda_, lambda);

@@ -70,6 +70,9 @@ void Foam::gasEquations::reportStagnation() const
     const scalar leastPressure = 0.8*pitot;
     const scalar mostMach = 0.2;
 
+    // What meshes in line with the shock stay below by far
+    const scalar accuracy = 0.01;
+
     scalar largest = 0;
     scalar volume = 0;
     scalar total = 0;
@@ -103,17 +106,18 @@ void Foam::gasEquations::reportStagnation() const
     // (a captured shock may overshoot by some per cent)
     const bool expands = largest > sqr(1.05*streamMach);
     const scalar lost = nCells ? 1 - total/(volume*pitot) : 0;
-    if (lost < -0.02)
+    if (lost < -accuracy)
     {
         WarningInFunction
             << "In " << nCells << " cells around " << place/volume
             << " the gas comes nearly to rest, and its total pressure is "
             << -100*lost << " % above that behind a normal shock of the"
             << " stream. That is right behind weaker shocks, before a blunt"
-            << " nose it is not: a shock across slanted mesh lines loses too"
-            << " little. Let alignMeshToShock move the mesh" << endl;
+            << " nose it is not: a shock across slanted mesh lines, or"
+            << " tetrahedra, loses too little. Take layers of hexahedra, which"
+            << " alignMeshToShock can move, or smaller cells" << endl;
     }
-    if (!expands && lost > 0.02)
+    if (!expands && lost > accuracy)
     {
         WarningInFunction
             << "In " << nCells << " cells around " << place/volume

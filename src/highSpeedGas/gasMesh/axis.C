@@ -339,7 +339,6 @@ void Foam::gasMesh::setAxis()
     fillGhosts(inverseRadius);
 
     const scalar cosine = wedge()->cosAngle();
-    sidesPerArea = 0.5/std::sqrt(1 - sqr(cosine));
     bendFaces(along, side, cosine);
 
     setSquareRadii(side);

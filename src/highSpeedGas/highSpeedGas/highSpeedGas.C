@@ -11,6 +11,7 @@
 #include "steadyFeedback.H"
 #include "steadySolution.H"
 #include "sigFpe.H"
+#include "totalEnthalpy.H"
 
 const Foam::Enum<Foam::highSpeedGas::modeType>
 Foam::highSpeedGas::modeNames
@@ -241,6 +242,7 @@ void Foam::highSpeedGas::report(const bool steady) const
         if (!feedback_.valid())
         {
             gasEntropy(*equations_, phi_).reportExpansion();
+            totalEnthalpy(*equations_, phi_).report();
         }
     }
 }
@@ -286,18 +288,27 @@ void Foam::highSpeedGas::align(shockAlignment& alignment)
     // the mesh will have to move again
     const sigFpe::ignore untrapped;
 
+    const auto approach = [&](const scalar imbalance, const bool near)
+    {
+        if (!findSteadyState(max(residual_, imbalance), near))
+        {
+            FatalErrorInFunction
+                << "The gas does not come near a steady state (an imbalance of"
+                << ' ' << imbalance << "): there is no shock at rest that a"
+                << " mesh could follow" << nl
+                << "Layers can follow the detached shock of a blunt body. Look"
+                << " at the flow on the mesh as it was" << exit(FatalError);
+        }
+        publish();
+    };
+
     label round = 0;
-    findSteadyState(max(residual_, 1e-2), false);
-    publish();
+    approach(1e-2, false);
     while (!alignment.follows(thermo_->p()) && round < alignment.rounds())
     {
         alignment.move(thermo_->p(), thermo_->T(), U_);
         setEquations(false);
-        findSteadyState
-        (
-            max(residual_, alignment.inDoubt() ? 1e-3 : 1e-4), true
-        );
-        publish();
+        approach(alignment.inDoubt() ? 1e-3 : 1e-4, true);
         round++;
     }
     alignment.report();

@@ -184,7 +184,8 @@ void Foam::shockAlignment::findShock(const volScalarField& p)
         doubt_ = max(doubt_, 4*gap/captured_[columni]);
 
         // A shock on the outer boundary cannot go where it belongs
-        if (steepest > last - 4)
+        const scalar room = depth[last]/captured_[columni] - 1;
+        if (steepest > last - 4 && room < 0.5*(outer_ - 1))
         {
             doubt_ = max(doubt_, scalar(0.5));
         }
@@ -197,6 +198,16 @@ bool Foam::shockAlignment::follows(const volScalarField& p)
     findShock(p);
     const scalarField before(distance_);
     distance_ = layers_.toLines(captured_);
+    const label nearest = findMin(distance_);
+    if (distance_[nearest] <= 0 || (moves_ > 1 && doubt_ > 1))
+    {
+        FatalErrorInFunction
+            << "The shock does not stand before all of the body: it is"
+            << " attached, or wanders, near " << lines_[nearest][0] << nl
+            << "Layers can follow the detached shock of a blunt body. Before a"
+            << " sharp one let mesh lines run along its shock by hand"
+            << exit(FatalError);
+    }
     if (before.empty())
     {
         return false;
@@ -232,7 +243,11 @@ void Foam::shockAlignment::report() const
         WarningInFunction
             << "The shock still moves by " << 100*change_
             << " % of its distance after " << moves_
-            << " moves of the mesh" << endl;
+            << " moves of the mesh; it is to rest within " << 100*tolerance_
+            << " %" << (narrows_ ? ", in a band that has been narrowed" : "")
+            << nl
+            << "    Set more rounds, more layers (here " << layers_.size()
+            << ") or a larger bandWidth (here " << bandWidth_ << ')' << endl;
     }
 
     // Band cells thinner than their faces are warped

@@ -11,8 +11,9 @@ import shutil
 import numpy as np
 from bluntBody import EXACT, P, RADIUS, SOUND, flow, prepare
 from caseTools import (GAMMA, complaint, copy_case, decompose, edit,
-                       last_fields, must, read_field, run, solve, times_of,
-                       verdict, write_field, write_foam)
+                       last_fields, must, read_field, read_points, run, solve,
+                       times_of, verdict, write_field, write_foam,
+                       write_points)
 
 ROOT = os.environ["PARCEL_IMPACT_DIR"]
 
@@ -169,8 +170,34 @@ refused("between", "stands between two faces of the body",
         dictionary="body (body inlet);")
 refused("few", "The mesh has 6 layers", cells=(6, 8))
 refused("subsonic", "There is no shock before the body", M=0.3)
-refused("nowhere", "There is no shock before face",
+refused("unsteady", "The gas does not come near a steady state",
         gas={"maxIterations": 1})
+
+
+def open_body(case):
+    edit(case, "0/U", "type slip;", "type zeroGradient;")
+
+
+refused("nowhere", "There is no shock before face", edits=open_body)
+
+
+def cone(case):
+    """A half angle of 35 degrees, at which the shock stays on the tip."""
+    edit(case, "system/controlDict", "binary", "ascii")
+    must(case, "blockMesh")
+    x, y, z = read_points(case).T
+    radius = np.hypot(np.hypot(x, y), z)
+    along = 3*RADIUS*np.arccos(-x/radius)/np.radians(90)
+    depth = radius/RADIUS - 1
+    away = along*(np.tan(np.radians(35)) + 0.87*depth/3)
+    turn = np.arctan2(z, y)
+    write_points(case, np.stack(
+        [along - 0.5*depth/3*(RADIUS - along/3), away*np.cos(turn),
+         away*np.sin(turn)], axis=1))
+
+
+refused("sharp", "Layers can follow the detached shock", cells=(24, 24),
+        body="sphere", M=8, edits=cone, gas={"maxIterations": 500})
 for layers, share in (40, lambda h: 40*h), (160, lambda h: 1/16):
     refused(f"transient{layers}", "Set 'mode steady;'", (layers, 4),
             gas={"mode": "transient"})
