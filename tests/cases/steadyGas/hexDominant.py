@@ -8,7 +8,7 @@ import numpy as np
 from bluntBody import P, RADIUS, SOUND, T
 from caseTools import (R_GAS, SNAPPY_CONTROLS, last_fields, must, solve,
                        verdict, write_case, write_field, write_foam)
-from tetrahedra import stagnation
+from tetrahedra import stagnation, warns
 
 SPHERE = f"type searchableSphere; centre (0 0 0); radius {RADIUS!r};"
 NOSE = (f"type searchableSphere; centre ({-1.1*RADIUS!r} 0 0);"
@@ -87,6 +87,7 @@ def main():
             f"total pressure {100*p0:+.2f} % in {count} cells at the nose")
     verdict(case + "_total_temperature", -0.03 < least and most < 0.03,
             f"{100*least:+.2f} to {100*most:+.2f} %")
+    warns(case, text, False)
 
 
 if __name__ == "__main__":

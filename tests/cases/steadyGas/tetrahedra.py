@@ -171,7 +171,7 @@ def main():
     copy_case(case, "tetWall")
     text = solve(case)
     judge(case, text)
-    warns(case, text, False)
+    warns(case, text, True)
 
     # A shock that crosses the cells as it likes may come to rest in more than
     # one way: on ranks the same bounds hold from the start, the steady state
