@@ -409,7 +409,26 @@ void Foam::EventDrivenCollisions<CloudType>::info()
     }
     const scalar overlap =
         returnReduce(report_.deepestOverlap, maxOp<scalar>());
-    deepest_ = max(deepest_, overlap);
+    if (overlap > deepest_)
+    {
+        const auto& d = arrays().d;
+        const scalar smallest = returnReduce
+        (
+            d.empty() ? VGREAT : *std::min_element(d.begin(), d.end()),
+            minOp<scalar>()
+        );
+        const scalar bound = 1e-3*smallest;
+        if (deepest_ <= bound && overlap > bound)
+        {
+            WarningInFunction
+                << "Spheres overlap by " << overlap << " m, the smallest have"
+                << " a diameter of " << smallest << " m. Those that began so"
+                << " (with collisions switched on, or put there by others)"
+                << " part as they move; until then they are no gas of hard"
+                << " spheres" << endl;
+        }
+        deepest_ = overlap;
+    }
     const auto line =
         [&](const char* text, const label i)
         {
