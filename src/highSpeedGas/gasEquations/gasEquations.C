@@ -579,8 +579,9 @@ void Foam::gasEquations::reportInvalidCells()
              ? "; the last good fields are written there."
              : ", whose files stay as they were."
            )
-        << " A smaller maxCo, a finer mesh or a more robust limiter (Minmod,"
-        << " upwind) may help"
+        << " Where warnings above name patches mend those first. A smaller"
+        << " maxCo, a finer mesh or a more robust limiter (Minmod, upwind) may"
+        << " help"
         << (source_.empty() ? "." : ", or a smaller relaxation in feedback.")
         << exit(FatalError);
 }

@@ -130,6 +130,20 @@ verdict("identities_models", twice == 0 and len(np.unique(first)) > 1,
         f"{twice} of {n} parcels have the identity of others; ranks of origin"
         f" {np.unique(first)}")
 
+# Collisions in a cloud that flew without: some begin one in another
+prepare("switchedOn", HALF)
+edit("switchedOn", CLOUD, f"volumeFraction {SHARE!r}", "volumeFraction 2e-3")
+edit("switchedOn", CLOUD, "nParticle 0.2", "nParticle 1")
+solve("switchedOn")
+extend("switchedOn", 1.25*HALF)
+edit("switchedOn", CLOUD, "solution\n{", """solution
+{
+    collisions { type eventDriven; restitution 1; friction 0; }""")
+overlap = re.search(r"Spheres overlap by (\S+) m", solve("switchedOn"))
+verdict("overlaps_are_said", "Spheres overlap" not in log
+        and overlap is not None and 1e-3 < float(overlap[1])/DIAMETER < 1,
+        overlap[0] if overlap else "nothing is said")
+
 # Identities that a program has taken away
 copy_case("begun", "unnamed")
 extend("unnamed", 2*HALF)
