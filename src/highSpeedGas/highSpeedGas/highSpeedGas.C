@@ -293,9 +293,10 @@ void Foam::highSpeedGas::align(shockAlignment& alignment)
         if (!findSteadyState(max(residual_, imbalance), near))
         {
             FatalErrorInFunction
-                << "The gas does not come near a steady state (an imbalance of"
-                << ' ' << imbalance << "): there is no shock at rest that a"
-                << " mesh could follow" << nl
+                << "The gas has not come near a steady state (an imbalance of"
+                << ' ' << imbalance << ") after " << maxIterations_
+                << " iterations (maxIterations): there is no shock at rest"
+                << " that a mesh could follow" << nl
                 << "Layers can follow the detached shock of a blunt body. Look"
                 << " at the flow on the mesh as it was" << exit(FatalError);
         }
@@ -308,7 +309,11 @@ void Foam::highSpeedGas::align(shockAlignment& alignment)
     {
         alignment.move(thermo_->p(), thermo_->T(), U_);
         setEquations(false);
-        approach(alignment.inDoubt() ? 1e-3 : 1e-4, true);
+        approach
+        (
+            alignment.inDoubt() ? 1e-3 : min(1e-4, 2*alignment.tolerance()),
+            true
+        );
         round++;
     }
     alignment.report();

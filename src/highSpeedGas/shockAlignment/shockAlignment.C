@@ -198,15 +198,19 @@ bool Foam::shockAlignment::follows(const volScalarField& p)
     findShock(p);
     const scalarField before(distance_);
     distance_ = layers_.toLines(captured_);
-    const label nearest = findMin(distance_);
-    if (distance_[nearest] <= 0 || (moves_ > 1 && doubt_ > 1))
+    const auto refuseAttached = [&](const label linei)
     {
         FatalErrorInFunction
             << "The shock does not stand before all of the body: it is"
-            << " attached, or wanders, near " << lines_[nearest][0] << nl
+            << " attached, or wanders, near " << lines_[linei][0] << nl
             << "Layers can follow the detached shock of a blunt body. Before a"
             << " sharp one let mesh lines run along its shock by hand"
             << exit(FatalError);
+    };
+    const label nearest = findMin(distance_);
+    if (distance_[nearest] <= 0)
+    {
+        refuseAttached(nearest);
     }
     if (before.empty())
     {
@@ -217,6 +221,10 @@ bool Foam::shockAlignment::follows(const volScalarField& p)
     const label worst = findMax(changes);
     change_ = Foam::sqrt(average(sqr(changes)));
     doubt_ = max(doubt_, 4*changes[worst]);
+    if (moves_ > 2 && changes[worst] > 0.25)
+    {
+        refuseAttached(worst);
+    }
     Info<< "Shock: moved by " << 100*change_ << " % of its distance, by "
         << 100*changes[worst] << " % at " << lines_[worst][0] << endl;
     return rests();

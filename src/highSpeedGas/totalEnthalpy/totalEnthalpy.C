@@ -25,12 +25,22 @@ Foam::scalar Foam::totalEnthalpy::at(const label slot) const
 
 Foam::scalar Foam::totalEnthalpy::ofStream() const
 {
+    // Gas that comes back through a patch by which more leaves is none of it
     const gasMesh& mesh = equations_.geometry();
+    scalarField flux(mesh.mesh().boundaryMesh().nNonProcessor(), Zero);
+    forAll(flux, patchi)
+    {
+        flux[patchi] = sum(phi_.boundaryField()[patchi]);
+    }
+    Pstream::listCombineGather(flux, plusEqOp<scalar>());
+    Pstream::listCombineScatter(flux);
+
     scalar least = GREAT;
     scalar most = -GREAT;
     for (const gasMesh::patchRange& patch : mesh.patches())
     {
-        for (label i = 0; i < patch.size && !patch.coupled; i++)
+        const bool enters = !patch.coupled && flux[patch.patchi] < 0;
+        for (label i = 0; i < patch.size && enters; i++)
         {
             if (phi_.boundaryField()[patch.patchi][i] < 0)
             {

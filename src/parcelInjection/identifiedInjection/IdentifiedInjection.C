@@ -212,12 +212,24 @@ Foam::scalar Foam::IdentifiedInjection<CloudType>::thickness() const
 
 template<class CloudType>
 typename Foam::IdentifiedInjection<CloudType>::sequence
-Foam::IdentifiedInjection<CloudType>::resumed(const bool known) const
+Foam::IdentifiedInjection<CloudType>::resumed
+(
+    const string& settings,
+    const bool given
+)
 {
+    settings_ = settings;
     string before;
     this->getModelProperty("settings", before);
+
+    // (a model that was out of the run before has a state of an earlier one)
+    string models;
+    this->getBaseProperty("models", models);
+    const bool there =
+        models.empty()
+     || models.find(" " + this->modelName() + " ") != string::npos;
     return
-        !known ? sequence::fresh
+        !there || !given ? sequence::fresh
       : before.empty() || before == settings_ ? sequence::continued
       : sequence::changed;
 }
@@ -227,7 +239,7 @@ template<class CloudType>
 void Foam::IdentifiedInjection<CloudType>::setIdentities(const sequence past)
 {
     string before;
-    this->getModelProperty("models", before);
+    this->getBaseProperty("models", before);
     usedBefore_ = this->template getModelProperty<label>("used", -1);
     if (past == sequence::continued && (before.empty() || before == models_))
     {
@@ -246,7 +258,7 @@ void Foam::IdentifiedInjection<CloudType>::setIdentities(const sequence past)
 template<class CloudType>
 void Foam::IdentifiedInjection<CloudType>::storeIdentities()
 {
-    this->template setModelProperty<string>("models", models_);
+    this->template setBaseProperty<string>("models", models_);
     this->template setModelProperty<string>("settings", settings_);
     this->template setModelProperty<label>("base", base_);
     this->template setModelProperty<label>("first", first_);
@@ -389,16 +401,11 @@ Foam::IdentifiedInjection<CloudType>::IdentifiedInjection
     );
     nModels_ = max(1, models.size());
     modelIndex_ = max(0, models.find(modelName));
+    models_ = " ";
     for (const word& model : models)
     {
         models_ += model + " ";
     }
-
-    // The stream may last longer and be called otherwise
-    dictionary deciding(this->coeffDict());
-    deciding.remove("duration");
-    deciding.remove("injectorID");
-    settings_ = deciding.digest().str();
 
     // The first point search builds data with communication between ranks
     (void)owner.mesh().tetBasePtIs();

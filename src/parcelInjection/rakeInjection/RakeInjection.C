@@ -5,6 +5,7 @@
 #include "RakeInjection.H"
 #include "checked.H"
 #include "meshTools.H"
+#include "StringStream.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -105,9 +106,17 @@ Foam::RakeInjection<CloudType>::RakeInjection
         }
     }
 
-    const auto past = this->resumed(released_);
+    OStringStream settings;
+    settings
+        << start_ << end_ << nParcels_ << ' ' << d_ << ' ' << nParticle_
+        << ' ' << this->U0() << this->SOI_;
+    const auto past = this->resumed(settings.str(), released_);
     const scalar now = owner.db().time().value();
-    if (past == IdentifiedInjection<CloudType>::sequence::changed)
+    if (past == IdentifiedInjection<CloudType>::sequence::fresh)
+    {
+        released_ = false;
+    }
+    else if (past == IdentifiedInjection<CloudType>::sequence::changed)
     {
         const scalar rounding = 1e-6*owner.db().time().deltaTValue();
         released_ = this->SOI_ < now - rounding;

@@ -107,28 +107,39 @@ void Foam::SpinningCloud<CloudType>::checkTemperatures()
 template<class CloudType>
 void Foam::SpinningCloud<CloudType>::checkPlaces() const
 {
-    // Files of text have the positions besides the coordinates in the cells,
-    // others the exact ones
+    // The places are written besides the coordinates in the cells
     IOobject header(this->fieldIOobject("positions", IOobject::MUST_READ));
-    IOobject exact(this->fieldIOobject(exactPosition, IOobject::MUST_READ));
     pointField x;
-    if (exact.typeHeaderOk<IOField<vector>>(false))
-    {
-        x = IOField<vector>(exact);
-    }
-    else if (header.typeHeaderOk<cloud>(false))
+    if (header.typeHeaderOk<cloud>(false))
     {
         IFstream is(header.objectPath());
-        if (header.readHeader(is) && is.format() == IOstream::ASCII)
+        header.readHeader(is);
+        x.setSize(readLabel(is));
+        is.readBeginList("positions");
+        struct
         {
-            const label n = readLabel(is);
-            is.readBeginList("positions");
-            x.setSize(n);
-            for (point& position : x)
+            point x;
+            label cell;
+        } place;
+        for (point& position : x)
+        {
+            if (is.format() == IOstream::ASCII)
             {
-                label celli;
-                is >> position >> celli;
+                is >> place.x >> place.cell;
             }
+            else
+            {
+                is.read
+                (
+                    reinterpret_cast<char*>(&place),
+                    sizeof(point) + sizeof(label)
+                );
+            }
+            position = place.x;
+        }
+        if (!is.good())
+        {
+            return;
         }
     }
 
@@ -141,8 +152,11 @@ void Foam::SpinningCloud<CloudType>::checkPlaces() const
         {
             if (p.cell() >= 0)
             {
-                const scalar size = cbrt(this->mesh().cellVolumes()[p.cell()]);
-                nElsewhere += mag(x[i] - p.position()) > 3*size;
+                // (round values of text may be rounder than cells are wide)
+                const scalar near =
+                    cbrt(this->mesh().cellVolumes()[p.cell()])
+                  + 1e-5*mag(x[i]);
+                nElsewhere += mag(x[i] - p.position()) > near;
             }
             ++i;
         }
@@ -188,11 +202,13 @@ void Foam::SpinningCloud<CloudType>::checkIdentities()
     };
 
     label greatest = -1;
+    label given = -1;
     rankMail::post out(nRanks);
     label i = 0;
     for (const parcelType& p : *this)
     {
         const label id = p.origId();
+        given = max(given, id);
         const std::uint64_t identity =
             std::uint64_t(std::uint32_t(p.origProc())) << 32
           | std::uint32_t(id);
@@ -205,6 +221,12 @@ void Foam::SpinningCloud<CloudType>::checkIdentities()
             greatest = max(greatest, id);
         }
     }
+
+    // Stock models count on from what their rank has given, which is not known
+    // of other numbers of ranks
+    reduce(given, maxOp<label>());
+    parcelType::particleCount_ = max(parcelType::particleCount_, given + 1);
+
     std::vector<carrier> carriers;
     for (const std::string& bytes : exchange(out))
     {

@@ -169,7 +169,7 @@ Foam::dispersedPhaseFields::dispersedPhaseFields
         time_ = numbers[0];
         if
         (
-            numbers.size() == 3
+            numbers.size() == 3 && time_ > 0
          && (numbers[1] != window_.start() || numbers[2] != interval_)
         )
         {

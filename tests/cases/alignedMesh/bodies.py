@@ -170,7 +170,7 @@ refused("between", "stands between two faces of the body",
         dictionary="body (body inlet);")
 refused("few", "The mesh has 6 layers", cells=(6, 8))
 refused("subsonic", "There is no shock before the body", M=0.3)
-refused("unsteady", "The gas does not come near a steady state",
+refused("unsteady", "The gas has not come near a steady state",
         gas={"maxIterations": 1})
 
 

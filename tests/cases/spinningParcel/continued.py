@@ -82,24 +82,59 @@ def added(log):
 prepare("begun", HALF)
 solve("begun")
 come = RATE/0.2*(HALF - DT)
-for name, old, new, rate, late in (
-        ("more", "nParticle 0.2", "nParticle 0.1", 2, 0),
-        ("fewer", "nParticle 0.2", "nParticle 0.4", 0.5, 0),
-        ("faster", f"U0 ({SPEED!r}", f"U0 ({1.5*SPEED!r}", 1.5, 0),
+for name, old, new, rate, begin in (
+        ("more", "nParticle 0.2", "nParticle 0.1", 2, HALF - DT),
+        ("fewer", "nParticle 0.2", "nParticle 0.4", 0.5, HALF - DT),
+        ("faster", f"U0 ({SPEED!r}", f"U0 ({1.5*SPEED!r}", 1.5, HALF - DT),
         ("later", "nParticle 0.2;", f"nParticle 0.2; startTime {1.5*HALF!r};",
-         1, 0.5),
-        ("endless", "nParticle 0.2;", "nParticle 0.2; duration 1;", 1, -DT)):
+         1, 1.5*HALF),
+        ("same", "nParticle 0.2;", "nParticle 0.20; duration 1; seed 0;",
+         1, HALF - DT)):
     copy_case("begun", name)
     extend(name, 2*HALF)
     edit(name, CLOUD, old, new)
     log = solve(name)
-    due = come + rate*RATE/0.2*(HALF*(1 - max(late, 0))
-                                - DT*(late >= 0))
-    verdict(f"entries_{name}", abs(added(log) - due) < 3,
+    due = come + rate*RATE/0.2*(2*HALF - DT - begin)
+    verdict(f"entries_{name}", abs(added(log) - due) < 3
+            and ("entries are not those" in log) == (name not in
+                                                     ("same", "later")),
             f"{added(log):.0f} parcels came in, {due:.1f} are due")
     twice, n = repeated(name, 2*HALF)
     verdict(f"identities_{name}", twice == 0 and n > 500,
             f"{twice} of {n} parcels have the identity of others")
+
+# A stream that was over and is to last longer goes on now
+prepare("over", HALF)
+edit("over", CLOUD, "nParticle 0.2;",
+     f"nParticle 0.2; duration {0.5*HALF!r};")
+solve("over")
+extend("over", 2*HALF)
+edit("over", CLOUD, f"duration {0.5*HALF!r};", "")
+log = solve("over")
+due = RATE/0.2*1.5*HALF
+verdict("stream_that_was_over", abs(added(log) - due) < 3,
+        f"{added(log):.0f} parcels came in, {due:.1f} are due")
+
+# A model that is out of one run and in the next begins anew
+OTHER = STREAM.replace("nParticle 0.2", "nParticle 0.5")
+MORE_OF_IT = ("injectionModels {",
+              f"injectionModels {{ other {{ {OTHER} }}")
+prepare("outAndIn", HALF)
+edit("outAndIn", CLOUD, *MORE_OF_IT)
+solve("outAndIn")
+edit("outAndIn", CLOUD, *MORE_OF_IT[::-1])
+extend("outAndIn", 2*HALF)
+solve("outAndIn")
+edit("outAndIn", CLOUD, *MORE_OF_IT)
+edit("outAndIn", "system/controlDict", f"endTime {2*HALF!r}",
+     f"endTime {3*HALF!r}")
+solve("outAndIn")
+twice, n = repeated("outAndIn", 3*HALF)
+young = (lagrangian("outAndIn", 3*HALF, "age") < HALF).sum()
+due = RATE*(1/0.2 + 1/0.5)*HALF
+verdict("model_out_and_in", twice == 0 and abs(young/due - 1) < 0.03,
+        f"{twice} of {n} parcels have the identity of others, {young} came in"
+        f" the third run, {due:.0f} are due")
 
 # A run that starts late: no stream has filled the mesh before
 prepare("late", 0.5 + 3*DT, startTime=0.5, writeInterval=DT)
@@ -107,6 +142,25 @@ must("late", "mv", "0", "0.5")
 log = solve("late")
 due = RATE/0.2*2*DT
 verdict("late_start", abs(added(log) - due) < 2,
+        f"{added(log):.0f} parcels came in, {due:.1f} are due")
+
+# Its duration counts from there; what fills a box waits for startTime
+prepare("lateEnd", 0.5 + 10*DT, startTime=0.5, writeInterval=DT)
+must("lateEnd", "mv", "0", "0.5")
+edit("lateEnd", CLOUD, "nParticle 0.2;", f"nParticle 0.2; duration {3*DT!r};")
+log = solve("lateEnd")
+due = RATE/0.2*3*DT
+verdict("late_end", abs(added(log) - due) < 2,
+        f"{added(log):.0f} parcels came in, {due:.1f} are due")
+prepare("box", HALF)
+edit("box", CLOUD, "nParticle 0.2;", "nParticle 0.2; prefill { box (0 0 0)"
+     f" (0.1 0.1 0.1); }} startTime {1.5*HALF!r};")
+solve("box")
+extend("box", 2*HALF)
+edit("box", CLOUD, "nParticle 0.2;", "nParticle 0.1;")
+log = solve("box")
+due = 2*RATE/0.2*(LENGTH/SPEED + 0.5*HALF - DT)
+verdict("box_still_to_fill", abs(added(log) - due) < 3,
         f"{added(log):.0f} parcels came in, {due:.1f} are due")
 
 # Other models beside, with collisions on two ranks, which tell parcels by
