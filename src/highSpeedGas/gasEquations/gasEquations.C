@@ -582,7 +582,12 @@ void Foam::gasEquations::reportInvalidCells()
         << " Where warnings above name patches mend those first. A smaller"
         << " maxCo, a finer mesh or a more robust limiter (Minmod, upwind) may"
         << " help"
-        << (source_.empty() ? "." : ", or a smaller relaxation in feedback.")
+        << (
+               source_.empty()
+             ? "."
+             : ", or a shorter time step, sourceSmoothing or, in steady gas, a"
+               " smaller relaxation in feedback."
+           )
         << exit(FatalError);
 }
 

@@ -132,7 +132,7 @@ void Foam::surfaceImpactStatistics::setErosion()
             (
                 getNumber
                 (
-                    *erosion, "hardness", "[1e-6, 1e3] GPa, a gel to diamond"
+                    *erosion, "hardness", "[1e-6, 150] GPa, a gel to diamond"
                 )
             );
             read("n1", exponent, c.n1);

@@ -691,7 +691,7 @@ refused("erosion_model", surface("erosion { model Bitter; }"), "Bitter",
 refused("flow_stress", surface("erosion { model Finnie; p 0; }"), "p",
         "[1e-3, 1e14]")
 refused("hardness", surface("erosion { model Oka; hardness -1; }"),
-        "hardness", "-1", "[1e-6, 1e3]")
+        "hardness", "-1", "[1e-6, 150]")
 refused("interval", "d { type dispersedPhase; interval 0; }", "interval", "0",
         "[1, ")
 refused("dispersed_window", "d { type dispersedPhase;"
