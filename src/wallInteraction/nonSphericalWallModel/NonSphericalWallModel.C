@@ -351,7 +351,8 @@ bool Foam::NonSphericalWallModel<CloudType>::correct
 
     hit.V1 = frame.fromWall(d.V);
     hit.omega1 = frame.fromWall(d.omega);
-    hit.rotation0 = d.rotation0;
+    hit.rotation0 =
+        impact::sphereRotationalEnergy(hit.radius, toCore(hit.omega0));
     hit.rotation1 = d.rotation1;
     this->special(pp, 0) += d.pulling;
     this->special(pp, 1) += d.gaining;

@@ -152,13 +152,13 @@ log = solve("lateEnd")
 due = RATE/0.2*3*DT
 verdict("late_end", abs(added(log) - due) < 2,
         f"{added(log):.0f} parcels came in, {due:.1f} are due")
-prepare("box", HALF)
-edit("box", CLOUD, "nParticle 0.2;", "nParticle 0.2; prefill { box (0 0 0)"
+prepare("boxLater", HALF)
+edit("boxLater", CLOUD, "nParticle 0.2;", "nParticle 0.2; prefill { box (0 0 0)"
      f" (0.1 0.1 0.1); }} startTime {1.5*HALF!r};")
-solve("box")
-extend("box", 2*HALF)
-edit("box", CLOUD, "nParticle 0.2;", "nParticle 0.1;")
-log = solve("box")
+solve("boxLater")
+extend("boxLater", 2*HALF)
+edit("boxLater", CLOUD, "nParticle 0.2;", "nParticle 0.1;")
+log = solve("boxLater")
 due = 2*RATE/0.2*(LENGTH/SPEED + 0.5*HALF - DT)
 verdict("box_still_to_fill", abs(added(log) - due) < 3,
         f"{added(log):.0f} parcels came in, {due:.1f} are due")

@@ -225,6 +225,13 @@ impact::wallDeparture impact::nonSphericalRebound::depart
         orient<orientationLaw::uniformEuler>(o.u0, o.u1, o.u2, r.ex, r.ey);
     }
     r.omega = spin.x*r.ex + spin.y*r.ey + spin.z*r.ez();
+    const vector3& J = body.inertia();
+    const double turning = 0.5*dot(multiply(J, r.omega), r.omega);
+    if (turning > 0)
+    {
+        const double energy = sphereRotationalEnergy(0.5*diameter, omega);
+        r.omega = std::sqrt(energy/turning)*r.omega;
+    }
 
     std::int64_t hint = 0;
     if (random)
@@ -248,7 +255,6 @@ impact::wallDeparture impact::nonSphericalRebound::depart
 
     const visitResult result = visit_.visit(b, piece_, hint);
 
-    const vector3& J = body.inertia();
     const rotationState& after = result.state.rotation;
     out.V = result.state.V;
     if (result.capped && out.V.y < 0)
@@ -263,8 +269,8 @@ impact::wallDeparture impact::nonSphericalRebound::depart
         scale*dot(after.omega, after.ey),
         scale*turn*dot(after.omega, after.ez())
     };
-    out.rotation0 = 0.5*dot(multiply(J, r.omega), r.omega);
     out.rotation1 = 0.5*dot(multiply(J, after.omega), after.omega);
+    out.setSphereSpin(diameter);
     out.impacts = result.impacts + result.microImpacts;
     out.pulling = result.pulling;
     out.gaining = result.gaining;

@@ -438,6 +438,7 @@ impact::wallDeparture impact::scatteringTable::depart
         forward*unit*r.spin[0], unit*r.spin[1], forward*unit*r.spin[2]
     };
     out.rotation1 = 0.5*r.rotation*speed*speed;
+    out.setSphereSpin(diameter);
     out.impacts = 1;
     out.held = held;
     return out;
