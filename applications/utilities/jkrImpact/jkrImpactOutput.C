@@ -326,6 +326,8 @@ scalar writeRestitution(const fileName& folder, const jkrImpactSetup& setup)
         "V,e_n,captured,contactTime,maxOverlap"
     );
     scalar evaluations = 0;
+    scalar deepest = 0;
+    scalar fastest = 0;
     forAll(setup.speeds, i)
     {
         const scalar V = setup.speeds[i];
@@ -345,6 +347,11 @@ scalar writeRestitution(const fileName& folder, const jkrImpactSetup& setup)
                 rebound = {out.captured, out.restitution};
             }
             evaluations += out.evaluations;
+            if (out.maxOverlap > deepest)
+            {
+                deepest = out.maxOverlap;
+                fastest = V;
+            }
             if (rebound.captured)
             {
                 file.row(V, 0., true, "", out.maxOverlap);
@@ -380,6 +387,15 @@ scalar writeRestitution(const fileName& folder, const jkrImpactSetup& setup)
             }
             FatalError << exit(FatalError);
         }
+    }
+    const scalar share = deepest/contact.radius();
+    if (share > 0.1)
+    {
+        WarningInFunction
+            << "At " << fastest << " m/s the overlap is " << share << " of R*:"
+            << " the theory holds for a contact that is small against the"
+            << " sphere (overlap below 0.1), and most materials yield before"
+            << endl;
     }
     return evaluations;
 }
