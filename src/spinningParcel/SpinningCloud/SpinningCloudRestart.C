@@ -139,7 +139,7 @@ void Foam::SpinningCloud<CloudType>::checkPlaces() const
         }
         if (!is.good())
         {
-            return;
+            x.clear();
         }
     }
 
