@@ -6,10 +6,9 @@ import re
 
 import numpy as np
 
-from caseTools import (box, complaint, copy_case, decompose, edit, must,
-                       read_field, run, solve, verdict, write_block,
-                       write_case, write_field, write_foam)
-from spinningCloud import write_cloud
+from caseTools import (complaint, copy_case, decompose, edit, must, read_field,
+                       run, solve, verdict, write_foam)
+from spinningCloud import write_cloud, write_cube
 
 DIAMETER, SHARE, LENGTH, N, SPEED = 1e-3, 2e-4, 0.1, 10, 20.0
 DT, HALF = 1e-4, 4e-3
@@ -38,16 +37,9 @@ MORE = """
 
 
 def prepare(case, end, collisions=False, **control):
-    write_case(case, {"libs": "(spinningParcel parcelInjection)",
-                      "endTime": end, "deltaT": DT, "writeInterval": HALF,
-                      **control}, {"mode": "frozen"})
-    sides = {s + e: "type zeroGradient;" for s in "xyz"
-             for e in ("Min", "Max")}
-    write_block(case, box((LENGTH,)*3), (N, N, N),
-                {side: "patch" for side in sides})
-    write_field(case, "p", 1e5, sides)
-    write_field(case, "T", 300.0, sides)
-    write_field(case, "U", (0.0, 0.0, 0.0), sides)
+    write_cube(case, LENGTH, N, {"libs": "(spinningParcel parcelInjection)",
+                                 "endTime": end, "deltaT": DT,
+                                 "writeInterval": HALF, **control})
     write_cloud(case, "dust", STREAM, solution="collisions { type eventDriven;"
                 " restitution 1; friction 0; }" if collisions else "")
     places = [(0.05, y, z) for y in (0.03, 0.05, 0.07) for z in (0.03, 0.06)]
@@ -55,8 +47,6 @@ def prepare(case, end, collisions=False, **control):
                f"{len(places)} (\n" + "\n".join(
                    "(%r %r %r)" % place for place in places) + "\n)",
                kind="vectorField")
-    write_foam(case, "constant/parcelClouds", "clouds (dust);")
-    must(case, "blockMesh")
 
 
 def extend(case, end):

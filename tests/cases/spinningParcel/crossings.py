@@ -8,31 +8,21 @@ import re
 
 import numpy as np
 
-from caseTools import (box, edit, must, solve, verdict, write_block,
-                       write_case, write_field, write_foam)
-from spinningCloud import write_cloud
+from caseTools import edit, solve, verdict
+from spinningCloud import write_cloud, write_cube
 
 DIAMETER, SHARE, LENGTH, N = 1e-4, 2e-5, 0.1, 10
 ONE = np.pi*DIAMETER**3/6
 
 
 def prepare(case, control, U, injection):
-    write_case(case, {"libs": "(spinningParcel parcelInjection"
-                              " lagrangianFunctionObjects)", **control},
-               {"mode": "frozen"})
-    sides = {s + e: "type zeroGradient;" for s in "xyz"
-             for e in ("Min", "Max")}
-    write_block(case, box((LENGTH,)*3), (N, N, N),
-                {side: "patch" for side in sides})
-    write_field(case, "p", 1e5, sides)
-    write_field(case, "T", 300.0, sides)
-    write_field(case, "U", (0.0, 0.0, 0.0), sides)
+    write_cube(case, LENGTH, N, {"libs": "(spinningParcel parcelInjection"
+                                         " lagrangianFunctionObjects)",
+                                 **control})
     write_cloud(case, "dust", f"""
         type crossSectionInjection; volumeFraction {SHARE!r};
         diameter {DIAMETER!r}; nParticle 1; U0 {U}; patches (xMin);
         {injection}""")
-    write_foam(case, "constant/parcelClouds", "clouds (dust);")
-    must(case, "blockMesh")
 
 
 # A fifth of the stream leaves through the side in its first step. Shorter steps
