@@ -16,10 +16,10 @@ Foam::scalar Foam::totalEnthalpy::at(const label slot) const
     {
         uu += q[k]*q[k];
     }
-    const double e =
+    const double h =
         gas.thermallyPerfect()
-      ? gas.energy<true>(q[1]) : gas.energy<false>(q[1]);
-    return e + gas.R*q[1] + 0.5*uu;
+      ? gas.enthalpy<true>(q[1]) : gas.enthalpy<false>(q[1]);
+    return h + 0.5*uu;
 }
 
 
