@@ -265,6 +265,7 @@ bool Foam::JkrAdhesion<CloudType>::correct
     impact::sphereState s = {hit.V0, toCore(hit.omega0)};
     impact::sphereState s2;
     hit.rotation0 = impact::sphereRotationalEnergy(hit.radius, s.omega);
+    deepest_ = max(deepest_, wall.overlapShare(sphere, -dot(hit.V0, hit.n)));
 
     const label item = layer_.item(pp.index(), pp.whichFace(p.face()));
     const int met = wall.hasLayer() ? partner(p, item) : -1;
@@ -353,6 +354,17 @@ void Foam::JkrAdhesion<CloudType>::report(Ostream& os) const
         {
             layer_.report(os, patchi, typeName);
         }
+    }
+
+    const scalar deepest = warned_ ? 0 : returnReduce(deepest_, maxOp<scalar>());
+    if (deepest > 0.1)
+    {
+        warned_ = true;
+        WarningInFunction
+            << typeName << ": the overlap of an impact is " << deepest
+            << " of the particle's radius. The theory holds for a contact that"
+            << " is small against the sphere (overlap below 0.1), and most"
+            << " materials yield before" << endl;
     }
 }
 

@@ -108,6 +108,22 @@ def check_bare():
             and "adhered (number, mass)" in log, str(c))
 
 
+def check_overlap():
+    """Impacts too fast for a contact that is small against the sphere."""
+    density = mass(1)*6/math.pi
+    for share in (0.095, 0.13):
+        V = math.sqrt(share**2.5*MODULUS/(1.25*math.pi*density))
+        case = new("overlap")
+        write_plate(case, "jkrAdhesion", patches(f"yMin {{ {WALL} }}", LID),
+                    [fall(V, d=1e-6), fall(0.5*V, start=1e-6)], end=1e-3)
+        mesh(case)
+        said = re.findall(r"overlap of an impact is (\S+) of", solve(case))
+        verdict(f"overlap_{share}",
+                len(said) == (share > 0.1)
+                and all(abs(float(s)/share - 1) < 1e-3 for s in said),
+                f"at {V:.0f} m/s, said: {said}")
+
+
 # ------------------------------------------------------------------ the layer
 
 def check_layer():
@@ -484,6 +500,7 @@ b {{ patchInteractionModel jkrAdhesion; jkrAdhesionCoeffs {{
 
 if __name__ == "__main__":
     check_bare()
+    check_overlap()
     check_layer()
     check_oblique()
     check_ranks()

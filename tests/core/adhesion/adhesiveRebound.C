@@ -95,6 +95,30 @@ TEST(adhesiveRebound, isThatOfTheSingleContactForAllSizes)
 }
 
 
+TEST(adhesiveRebound, overlapIsThatOfTheContactWhereAdhesionIsSmall)
+{
+    const adhesiveRebound law = wall();
+    impactSettings settings;
+    settings.scheme = impactScheme::adaptive;
+    const jkrImpact one
+    (
+        jkrContact
+        (
+            0.5*grain.diameter, steel.modulus, massOf(grain), 1e-6
+        ),
+        0, settings
+    );
+    for (double V : {3., 30., 300.})
+    {
+        const double deepest = one.impact(V).maxOverlap;
+        EXPECT_NEAR
+        (
+            law.overlapShare(grain, V)/(deepest/(0.5*grain.diameter)), 1, 2e-3
+        );
+    }
+}
+
+
 TEST(adhesiveRebound, oblique)
 {
     const adhesiveRebound law = wall();
