@@ -9,13 +9,17 @@
 template<class CloudType>
 void Foam::NonSphericalWallModel<CloudType>::compareWithFaces
 (
+    const dictionary& dict,
+    const wallData& wall,
     const impact::relief& relief,
     const label setting
 ) const
 {
     const bool rough = relief.type() == impact::relief::reliefType::rough;
     const scalar pitch = rough ? 2*relief.meanSpacing() : relief.period();
+    const vector lay(normalised(wall.layDirection));
     scalar size = GREAT;
+    scalar along = -1;
     const polyBoundaryMesh& boundary = this->owner().pMesh().boundaryMesh();
     forAll(this->patches().ofPatch(), patchi)
     {
@@ -24,10 +28,20 @@ void Foam::NonSphericalWallModel<CloudType>::compareWithFaces
             for (const vector& S : boundary[patchi].faceAreas())
             {
                 size = min(size, sqrt(mag(S)));
+                along = max(along, mag(lay ^ S)/mag(S));
             }
         }
     }
     reduce(size, minOp<scalar>());
+    reduce(along, maxOp<scalar>());
+    if (wall.lay == layType::fixed && along >= 0 && along < 1e-3)
+    {
+        refuse
+        (
+            dict, "layDirection", wall.layDirection,
+            "a direction along the wall: this is the normal of all its faces"
+        );
+    }
     if (rough && pitch > size)
     {
         WarningInFunction
@@ -177,7 +191,7 @@ Foam::NonSphericalWallModel<CloudType>::readWall
     }
     if (setup.wall)
     {
-        compareWithFaces(*setup.wall, setting);
+        compareWithFaces(dict, wall, *setup.wall, setting);
     }
 
     if (method == "direct")

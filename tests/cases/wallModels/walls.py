@@ -606,6 +606,9 @@ def check_bad_input():
         ("layDirection", N, ns(f"{NON_SPHERICAL} lay fixed;"
                                " layDirection (0 0 0);"),
          ["layDirection", "zero"]),
+        ("layNormal", N, ns(f"{NON_SPHERICAL} lay fixed;"
+                            " layDirection (0 -2 0);"),
+         ["layDirection (0 -2 0)", "along the wall"]),
         ("method", N, ns(f"{NON_SPHERICAL} method sampled;"),
          ["method sampled", "tabulated"]),
         ("tableFile", N, ns(tab.replace(table, "/nowhere.csv")),
