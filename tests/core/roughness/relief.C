@@ -108,6 +108,28 @@ TEST(relief, isAFunctionOfSeedIdentityAndPlace)
 }
 
 
+TEST(relief, staysBelowItsTopHoweverTheSpacingScatters)
+{
+    const double mean = 80, sy = 20;
+    for (double share : {0., 0.125, 0.2, 0.25, 0.3, 0.32, 0.333})
+    {
+        const relief r = relief::rough(mean, share*mean, sy);
+        reliefPiece piece(r, 7);
+        double highest = 0;
+        for (int k = 0; k < 5000; ++k)
+        {
+            piece.start(k, 100);
+            for (int i = 0; i < 100; ++i)
+            {
+                highest = std::max(highest, piece.at(i).top);
+            }
+        }
+        EXPECT_LE(highest, r.top()) << share;
+        EXPECT_GE(highest, 3*sy) << share;
+    }
+}
+
+
 TEST(relief, hasTheStatisticsOfItsLaws)
 {
     const double mean = 80, sx = 10, sy = 20;

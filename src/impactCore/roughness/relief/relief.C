@@ -78,9 +78,12 @@ impact::relief impact::relief::rough
     r.sigmaSpacing_ = sigmaSpacing;
     r.sigmaHeight_ = sigmaHeight;
 
-    // A cubic spline overshoots its knots by up to 55 % on equal spacing
-    // (its Lebesgue constant is 1.55)
-    r.top_ = 1.6*3*sigmaHeight;
+    // A cubic spline overshoots its knots by up to 55 % on equal spacing (its
+    // Lebesgue constant is 1.55); more between knots that may come close. The
+    // highest of 1e7 intervals is 1.62, 2.07, 3.8, 8.4 and 185 times the
+    // highest knot at deviations of 0.2, 0.25, 0.3, 0.32 and 0.333 of the mean
+    const double closest = 1 - 3*sigmaSpacing/meanSpacing;
+    r.top_ = std::max(1.6, 1 + 0.3/closest)*3*sigmaHeight;
     return r;
 }
 
