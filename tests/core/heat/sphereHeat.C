@@ -126,6 +126,19 @@ TEST(specificHeat, temperatureBelongsToEnthalpy)
     );
     EXPECT_DOUBLE_EQ(melting.liquidShare(2327), 0.5);
 
+    // Beyond its temperatures a polynomial may turn back: it stays there
+    const specificHeat turning({600, 1.2, -2e-4}, {}, 5000);
+    EXPECT_DOUBLE_EQ(turning.cp(2e4), 600 + 1.2*5000 - 2e-4*25e6);
+    EXPECT_NEAR
+    (
+        turning.h(2e4), turning.h(5000) + turning.cp(5000)*1.5e4, 1e-6
+    );
+    for (const double T : {4999., 5001., 2e4, 1e7})
+    {
+        EXPECT_NEAR(turning.T(turning.h(T))/T, 1, 1e-13);
+        EXPECT_GT(turning.meanCp(T, turning.h(T), 0.5*T), 0);
+    }
+
     // Trial steps of a stiff integration may take more than there is
     EXPECT_EQ(specificHeat({800}, {}).T(-1e5), 0);
     EXPECT_EQ(polynomial.T(-1e5), 0);

@@ -17,6 +17,7 @@ impact::specificHeat::specificHeat
 :
     c_(c),
     melting_(m),
+    end_(highest),
     constant_(c.size() == 1 && m.latentHeat == 0)
 {
     if (c_.empty())
@@ -38,14 +39,12 @@ impact::specificHeat::specificHeat
         );
     }
 
-    // Without the latent heat, which only adds
-    melting_.latentHeat = 0;
     for (int i = 0; i <= 1000; ++i)
     {
         const double T = 1 + (highest - 1)*0.001*i;
         checkRange
         (
-            within(cp(T), "[1e-3, 1e9]"), "Cp0", cp(T),
+            within(polynomialCp(T), "[1e-3, 1e9]"), "Cp0", polynomialCp(T),
             "[0.001, 1e9] J/kg/K at all temperatures from 1 to "
           + std::to_string(int(highest)) + " K"
         );
@@ -54,7 +53,8 @@ impact::specificHeat::specificHeat
             break;
         }
     }
-    melting_.latentHeat = m.latentHeat;
+    cpEnd_ = polynomialCp(end_);
+    hEnd_ = polynomialH(end_);
 }
 
 
@@ -67,13 +67,11 @@ double impact::specificHeat::solve(double h) const
         return 0;
     }
 
-    // In small strides: beyond the temperatures that it is valid for a
-    // polynomial may turn back
     boost::uintmax_t steps = 60;
     const auto ends = boost::math::tools::bracket_and_solve_root
     (
         [&](double T) { return this->h(T) - h; },
-        h/cp(300), 1.25, true, allDigits, steps
+        h/cp(300), 1.5, true, allDigits, steps
     );
     return 0.5*(ends.first + ends.second);
 }
