@@ -49,7 +49,14 @@ impact::plumeSampler::plumeSampler(const setup& s)
     checkRange(s.burnEnd > s.burnStart && s.burnEnd < 1e12, "end", s.burnEnd,
         "(start, 1e12) s");
     checkRange("time", s.time, "(-1e12, 1e12) s");
-    checkRange("nParticles", s.nParticles, "[1, 1e13]");
+    const std::size_t nGroups = s.source->groups().size();
+    checkRange
+    (
+        s.nParticles >= double(nGroups) && s.nParticles <= 1e13,
+        "nParticles", double(s.nParticles),
+        "[" + std::to_string(nGroups) + ", 1e13], one at least of each of the "
+      + std::to_string(nGroups) + " groups of the source"
+    );
     checkVector(s.position, "position", "(-1e15, 1e15) m");
     checkVector(s.velocity, "velocity", "(-3e8, 3e8) m/s");
     checkVector(s.acceleration, "acceleration", "(-1e6, 1e6) m/s2");
