@@ -305,7 +305,7 @@ Foam::dictionary Foam::dsmcGas::settings() const
 }
 
 
-void Foam::dsmcGas::checkSettings() const
+bool Foam::dsmcGas::checkSettings() const
 {
     const IOdictionary was
     (
@@ -313,7 +313,7 @@ void Foam::dsmcGas::checkSettings() const
     );
     if (!was.found("typeIdList"))
     {
-        return;
+        return false;
     }
     const dictionary is(settings());
     for (const entry& e : is)
@@ -345,18 +345,17 @@ void Foam::dsmcGas::checkSettings() const
                 << exit(FatalIOError);
         }
     }
+    return true;
 }
 
 
 void Foam::dsmcGas::readMolecules()
 {
+    // Molecules that have all gone leave no file, but a state
     const bool found = lagrangianFile::read(mesh_, cloudName, molecules_);
-    if (found)
-    {
-        checkSettings();
-    }
+    const bool goesOn = checkSettings();
     nStart_ = returnReduce(molecules_.size(), sumOp<label>());
-    if (!returnReduce(found || inflow_->active(), orOp<bool>()))
+    if (!returnReduce(found || goesOn || inflow_->active(), orOp<bool>()))
     {
         FatalErrorInFunction
             << "No molecules in "

@@ -28,15 +28,29 @@ namespace
         return Foam::getWordOf(d, "region", "", {"all", "box", "zone"});
     }
 
-    //- A whole number with the given mean
-    Foam::label rounded(Foam::scalar mean, impact::counterRandom& rnd)
-    {
-        return Foam::label(mean*(1 + 1e-12) + rnd.uniform());
-    }
 }
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::label Foam::solidInflow::counted
+(
+    const scalar n,
+    const group& size
+) const
+{
+    if (!within(n, "[0, 1e9]"))
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Of diameter " << size.diameter << " m " << n << " simulated"
+            << " particles come in at once: valid range [0, 1e9] on one"
+            << " processor" << nl
+            << "Set a larger realPerSimulator, or simulators where they come"
+            << " in" << exit(FatalIOError);
+    }
+    return label(n);
+}
+
 
 Foam::scalarList Foam::solidInflow::perGroup
 (
@@ -409,10 +423,10 @@ Foam::label Foam::solidInflow::fill
             {
                 continue;
             }
-            const label n = rounded
-            (
-                concentration*sum*size.massFraction/(size.mass*real[g]), rnd
-            );
+            const scalar mean =
+                concentration*sum*size.massFraction/(size.mass*real[g]);
+            const label n =
+                counted(mean*(1 + 1e-12) + rnd.uniform(), size);
             const scalar shift = rnd.uniform();
             std::size_t k = 0;
             for (label i = 0; i < n; ++i)
@@ -470,10 +484,11 @@ Foam::label Foam::solidInflow::enter
             // The whole numbers that the sum up to now has passed
             const scalar mean =
                 sum*size.massFraction*deltaT/(size.mass*s.number[g]);
-            const label n = label
+            const label n = counted
             (
                 std::floor(mean*step + phase)
-              - std::floor(mean*(step - 1.) + phase)
+              - std::floor(mean*(step - 1.) + phase),
+                size
             );
             const scalar shift = rnd.uniform();
             for (label j = 0; j < n; ++j)

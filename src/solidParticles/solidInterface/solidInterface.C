@@ -6,6 +6,7 @@
 #include "checked.H"
 #include "exactSums.H"
 #include "OSspecific.H"
+#include "textFile.H"
 #include "Time.H"
 #include "wordRes.H"
 
@@ -28,6 +29,20 @@ Foam::fileName Foam::solidInterface::file() const
 }
 
 
+Foam::wordList Foam::solidInterface::patches() const
+{
+    DynamicList<word> names;
+    for (const polyPatch& patch : mesh_.boundaryMesh())
+    {
+        if (isSurface_[patch.index()])
+        {
+            names.append(patch.name());
+        }
+    }
+    return names;
+}
+
+
 void Foam::solidInterface::restore(const dictionary& dict)
 {
     const IOdictionary state
@@ -39,6 +54,25 @@ void Foam::solidInterface::restore(const dictionary& dict)
         return;
     }
     duration_ = state.get<scalar>("duration");
+    const wordList was(state.getOrDefault<wordList>("patches", patches()));
+    if (was != patches())
+    {
+        refuse
+        (
+            dict, "patches", flatOutput(patches()),
+            "those of the records before time ", mesh_.time().timeName(), ", ",
+            flatOutput(was)
+        );
+    }
+    const scalar start = state.getOrDefault<scalar>("start", start_);
+    if (duration_ > 0 && mag(start - start_) > 1e-12*mag(start))
+    {
+        refuse
+        (
+            dict, "start", start_, "that of the records before time ",
+            mesh_.time().timeName(), ", ", start
+        );
+    }
     const scalar sectors = state.getOrDefault<scalar>("sectors", sectors_);
     const vector origin(state.getOrDefault<vector>("origin", origin_));
     if (mag(origin - origin_) > 1e-12*mag(origin))
@@ -212,17 +246,29 @@ void Foam::solidInterface::write() const
     if (Pstream::master() && duration_ > 0)
     {
         mkDir(file().path());
-        impact::particleInterface::write
-        (
-            file(),
-            records,
-            "written by dsmcParcelFoam, recorded for "
-          + Foam::name(duration_) + " s until "
-          + mesh_.time().timeName() + " s"
-        );
+        try
+        {
+            textFile(file()).print
+            (
+                impact::particleInterface::text
+                (
+                    records,
+                    "written by dsmcParcelFoam, recorded for "
+                  + Foam::name(duration_) + " s until "
+                  + mesh_.time().timeName() + " s"
+                ).c_str()
+            );
+        }
+        catch (const std::invalid_argument& e)
+        {
+            FatalErrorInFunction
+                << file() << ": " << e.what() << exit(FatalError);
+        }
     }
     IOdictionary state(exactSums::state(mesh_, interfaceState));
     state.add("duration", duration_);
+    state.add("patches", patches());
+    state.add("start", start_);
     state.add("sectors", sectors_);
     state.add("origin", origin_);
     const unsigned precision = IOstream::defaultPrecision(17);

@@ -211,6 +211,14 @@ void Foam::solidParticles::name(const label first)
     {
         data.origProc[i] = Pstream::myProcNo();
         data.origId[i] = nNamed_++;
+        if (nNamed_ == labelMax)
+        {
+            FatalErrorInFunction
+                << "This processor has put in " << nNamed_ << " simulated solid"
+                << " particles, as many as can be told apart" << nl
+                << "Set a larger realPerSimulator, or fewer simulators"
+                << exit(FatalError);
+        }
     }
 }
 

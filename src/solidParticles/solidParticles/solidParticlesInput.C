@@ -53,7 +53,7 @@ void Foam::solidParticles::readGroups()
             getWordOf(d, "weighting", "", {"number", "mass"})
         );
         const scalar radius = getNumber(d, "radius", validRange::diameter);
-        const scalar deviation = getNumber(d, "deviation", "(1, 100]");
+        const scalar deviation = getNumber(d, "deviation", "(1, 10]");
         const label classes = getNumber<label>(d, "classes", "[1, 100]");
         sizes = checked
         (
@@ -366,7 +366,13 @@ void Foam::solidParticles::readLedger()
 
 void Foam::solidParticles::readParticles()
 {
-    if (!readArrays())
+    // Particles that have all gone leave no file, but a state
+    const bool found = readArrays();
+    const IOdictionary state
+    (
+        exactSums::state(mesh_, stateName, IOobject::READ_IF_PRESENT)
+    );
+    if (!found && !state.found("initial"))
     {
         inflow_->fill(particles_, seed_);
         name(0);
@@ -441,7 +447,7 @@ void Foam::solidParticles::readTallies()
         t = tally();
         if (mine)
         {
-            t.simulators = d.get<label>("simulators");
+            t.simulators = std::int64_t(d.get<scalar>("simulators"));
             t.number = d.get<scalar>("number");
             t.mass = d.get<scalar>("mass");
         }
@@ -450,14 +456,15 @@ void Foam::solidParticles::readTallies()
     {
         restore(state.subDict(fateNames[k]), tally_[k]);
     }
-    label balance = 0;
+    std::int64_t balance = 0;
     for (label k = 0; k < nFates; ++k)
     {
-        const label n = nSimulators(fate(k));
+        const std::int64_t n = nSimulators(fate(k));
         balance += k <= entered ? n : -n;
     }
-    nLostBefore_ = balance - returnReduce(particles_.size(), sumOp<label>());
-    hits_ = mine ? state.get<label>("hits") : 0;
+    nLostBefore_ =
+        label(balance - returnReduce(particles_.size(), sumOp<label>()));
+    hits_ = mine ? std::int64_t(state.get<scalar>("hits")) : 0;
 
     // On as many processors as before each goes on with its own
     const dictionary* named = state.findDict("named");

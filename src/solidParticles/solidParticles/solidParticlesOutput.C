@@ -11,9 +11,9 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::label Foam::solidParticles::nSimulators(const fate k) const
+std::int64_t Foam::solidParticles::nSimulators(const fate k) const
 {
-    return returnReduce(tally_[k].simulators, sumOp<label>());
+    return returnReduce(tally_[k].simulators, sumOp<std::int64_t>());
 }
 
 
@@ -189,7 +189,11 @@ void Foam::solidParticles::writeTallies() const
     const auto sums = [](tally t)
     {
         dictionary d;
-        d.add("simulators", returnReduce(t.simulators, sumOp<label>()));
+        d.add
+        (
+            "simulators",
+            scalar(returnReduce(t.simulators, sumOp<std::int64_t>()))
+        );
         d.add("number", returnReduce(t.number, sumOp<scalar>()));
         d.add("mass", returnReduce(t.mass, sumOp<scalar>()));
         return d;
@@ -198,7 +202,7 @@ void Foam::solidParticles::writeTallies() const
     {
         state.add(fateNames[k], sums(tally_[k]));
     }
-    state.add("hits", returnReduce(hits_, sumOp<label>()));
+    state.add("hits", scalar(returnReduce(hits_, sumOp<std::int64_t>())));
     dictionary deposits;
     const polyBoundaryMesh& patches = mesh_.boundaryMesh();
     forAll(patches, patchi)
@@ -233,13 +237,13 @@ void Foam::solidParticles::account(runSummary& summary) const
 {
     const auto sums = [](tally t)
     {
-        reduce(t.simulators, sumOp<label>());
+        reduce(t.simulators, sumOp<std::int64_t>());
         reduce(t.number, sumOp<scalar>());
         reduce(t.mass, sumOp<scalar>());
         return t;
     };
     Info<< "Solid particles (simulated, real, kg)" << nl;
-    label balance = 0;
+    std::int64_t balance = 0;
     for (label k = 0; k < nFates; ++k)
     {
         const tally t = sums(tally_[k]);
@@ -251,7 +255,8 @@ void Foam::solidParticles::account(runSummary& summary) const
     const label lost =
         nLostBefore_ + returnReduce(particles_.nLost(), sumOp<label>());
     Info<< "    lost: " << lost << ", now: " << n << nl
-        << "    wall hits: " << returnReduce(hits_, sumOp<label>()) << nl;
+        << "    wall hits: " << returnReduce(hits_, sumOp<std::int64_t>())
+        << nl;
     const polyBoundaryMesh& patches = mesh_.boundaryMesh();
     forAll(patches, patchi)
     {

@@ -90,7 +90,8 @@ TEST(particleInterface, givesBackWhatWasWrittenToTheLastBit)
         });
     }
     const temporaryFile file;
-    particleInterface::write(file.name(), records, "one line\nand another");
+    std::ofstream(file.name())
+        << particleInterface::text(records, "one line\nand another");
     const std::vector<record> back(particleInterface::read(file.name()));
     ASSERT_EQ(back.size(), records.size());
     for (std::size_t i = 0; i < back.size(); ++i)
@@ -160,16 +161,7 @@ TEST(particleInterface, refusesWhatIsWrongWithFileAndLine)
     );
     EXPECT_THROW
     (
-        particleInterface::write("/nowhere/at/all.csv", {}),
-        std::invalid_argument
-    );
-    const temporaryFile file;
-    EXPECT_THROW
-    (
-        particleInterface::write
-        (
-            file.name(), {{{0, 0, 0}, {1, 0, 0}, -5, 1e-5, 1}}
-        ),
+        particleInterface::text({{{0, 0, 0}, {1, 0, 0}, -5, 1e-5, 1}}),
         std::invalid_argument
     );
 }

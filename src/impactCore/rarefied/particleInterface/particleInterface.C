@@ -202,14 +202,13 @@ impact::particleInterface::read(const std::string& file)
 }
 
 
-void impact::particleInterface::write
+std::string impact::particleInterface::text
 (
-    const std::string& file,
     const std::vector<record>& records,
     const std::string& comment
 )
 {
-    std::ofstream os(file);
+    std::ostringstream os;
     os << title << version << '\n';
     std::istringstream lines(comment);
     for (std::string line; std::getline(lines, line);)
@@ -234,14 +233,10 @@ void impact::particleInterface::write
         };
         for (int i = 0; i < nColumns; ++i)
         {
-            check(file + ", writing record", n, i, values[i]);
+            check("writing record", n, i, values[i]);
             line.add(values[i]);
         }
         os << line.take();
     }
-    os.flush();
-    if (!os)
-    {
-        complain(file, "cannot be written");
-    }
+    return os.str();
 }
