@@ -275,7 +275,8 @@ impact::dissipationLaw Foam::adhesionEntries::law
     const fileName& casePath,
     const impact::jkrContact& contact,
     const impact::unloadingType unloading,
-    std::vector<measuredImpact>& measured
+    std::vector<measuredImpact>& measured,
+    const wordList& ofMeasured
 )
 {
     typedef impact::dissipationLaw form;
@@ -298,18 +299,19 @@ impact::dissipationLaw Foam::adhesionEntries::law
             {"constant", "marshall", "polynomial", "calibrated"}
         )
     );
-    refuseOthers
+    wordList valid
     (
-        alpha,
         type == "constant" ? wordList{"type", "value"}
       : type == "marshall" ? wordList{"type", "restitution"}
       : type == "polynomial"
       ? wordList{"type", "coeffs", "range", "restitution"}
-      : wordList
-        {
-            "type", "file", "degree", "extrapolate", "diameter", "density"
-        }
+      : wordList{"type", "file", "degree", "extrapolate"}
     );
+    if (type == "calibrated")
+    {
+        valid.append(ofMeasured);
+    }
+    refuseOthers(alpha, valid);
     return checked(alpha, [&]()
     {
         if (type == "constant")
@@ -449,7 +451,8 @@ impact::adhesiveRebound Foam::adhesionEntries::wall
             casePath,
             measured.value_or(impact::jkrContact(1, 1, 1, 1)),
             end,
-            data
+            data,
+            {"diameter", "density"}
         )
     );
     const bool hold =

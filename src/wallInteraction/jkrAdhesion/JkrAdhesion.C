@@ -285,6 +285,7 @@ bool Foam::JkrAdhesion<CloudType>::correct
                 hit.n, sphere, s, {mean.diameter, mean.density}, s2
             );
             this->special(pp, onAdhered) += 1;
+            undecided_ += !out.decided;
         }
     }
     catch (const std::invalid_argument& error)
@@ -365,6 +366,16 @@ void Foam::JkrAdhesion<CloudType>::report(Ostream& os) const
             << " of the particle's radius. The theory holds for a contact that"
             << " is small against the sphere (overlap below 0.1), and most"
             << " materials yield before" << endl;
+    }
+
+    if (!warnedOfChains_ && returnReduce(undecided_, sumOp<scalar>()) > 0)
+    {
+        warnedOfChains_ = true;
+        WarningInFunction
+            << typeName << ": an impact on an adhered particle was not over"
+            << " after the most steps of its integration: a particle that"
+            << " could still leave counts as staying. Give both contacts an"
+            << " alpha > 0, which lets the motion decay" << endl;
     }
 }
 
