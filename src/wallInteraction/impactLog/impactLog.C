@@ -107,46 +107,49 @@ Foam::label Foam::impactLog::append
 
 void Foam::impactLog::write()
 {
-    // A record is numbers and no pointers: its bytes travel as they are
-    List<List<char>> sent(Pstream::nProcs());
-    List<char>& mine = sent[Pstream::myProcNo()];
-    mine.setSize(label(records_.size()*sizeof(record)));
-    if (records_.size())
+    // A record is numbers and no pointers: its bytes travel as they are, in
+    // pieces whose bytes a label can count
+    const label piece = 1000000;
+    DynamicList<record> all;
+    for
+    (
+        label first = 0;
+        returnReduce(first < records_.size(), orOp<bool>());
+        first += piece
+    )
     {
-        std::memcpy
-        (
-            mine.data(),
-            static_cast<const void*>(records_.cdata()),
-            mine.size()
-        );
-    }
-    records_.clear();
-    Pstream::gatherList(sent);
-
-    if (!Pstream::master())
-    {
-        return;
-    }
-
-    label n = 0;
-    for (const List<char>& bytes : sent)
-    {
-        n += label(bytes.size()/sizeof(record));
-    }
-    List<record> all(n);
-    n = 0;
-    for (const List<char>& bytes : sent)
-    {
-        if (bytes.size())
+        List<List<char>> sent(Pstream::nProcs());
+        List<char>& mine = sent[Pstream::myProcNo()];
+        const label n = max(min(records_.size() - first, piece), label(0));
+        mine.setSize(label(n*sizeof(record)));
+        if (n)
         {
             std::memcpy
             (
-                static_cast<void*>(&all[n]),
-                bytes.cdata(),
-                bytes.size()
+                mine.data(),
+                static_cast<const void*>(&records_[first]),
+                mine.size()
             );
         }
-        n += label(bytes.size()/sizeof(record));
+        Pstream::gatherList(sent);
+        for (const List<char>& bytes : sent)
+        {
+            const label m = label(bytes.size()/sizeof(record));
+            if (m && Pstream::master())
+            {
+                const label at = all.size();
+                all.setSize(at + m);
+                std::memcpy
+                (
+                    static_cast<void*>(&all[at]), bytes.cdata(), bytes.size()
+                );
+            }
+        }
+    }
+    records_.clear();
+    if (!Pstream::master())
+    {
+        return;
     }
 
     // Hits of a parcel at one instant stay in the order in which they came

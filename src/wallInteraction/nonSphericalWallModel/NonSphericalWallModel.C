@@ -208,7 +208,7 @@ Foam::NonSphericalWallModel<CloudType>::readWall
         return wall;
     }
 
-    if (wall.lay != layType::acrossMotion && wall.sized)
+    if (wall.lay != layType::acrossMotion)
     {
         refuse
         (

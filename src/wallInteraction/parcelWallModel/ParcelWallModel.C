@@ -242,10 +242,16 @@ void Foam::ParcelWallModel<CloudType>::compareWithLastRun()
     }
     if (!before.empty() && before != settings)
     {
+        const string type(before.substr(0, before.find(' ')));
         Info<< "    The settings of the wall model are not those of the run"
-            << " before (" << before.substr(0, before.find(' ')).c_str()
-            << " then): counters and averages go on. Averages begin anew with"
-            << " the entry 'restart anew;' of their function" << endl;
+            << " before (" << type.c_str() << " then): "
+            << (
+                    type == this->modelType()
+                  ? "counters and averages go on."
+                  : "it counts for itself, averages go on."
+               )
+            << " Averages begin anew with the entry 'restart anew;' of their"
+            << " function" << endl;
     }
 }
 

@@ -95,7 +95,8 @@ impact::blockStatistics::estimate Foam::surfaceImpactStatistics::estimate
       ? statistics.rate(item, r.sum)
       : statistics.ratio(item, r.sum, r.per);
 
-    const scalar scale = r.per == AREA_AND_TIME ? r.scale/area : r.scale;
+    const scalar scale =
+        r.per != AREA_AND_TIME ? r.scale : area > 0 ? r.scale/area : 0;
     e.value *= scale;
     if (e.error >= 0)
     {
@@ -121,9 +122,16 @@ bool Foam::surfaceImpactStatistics::known
 
 Foam::scalar Foam::surfaceImpactStatistics::largestError() const
 {
+    // A patch without faces has no error to wait for
     scalar largest = 0;
+    bool any = false;
     for (const label item : stop_->items)
     {
+        if (!(areas_[item] > 0))
+        {
+            continue;
+        }
+        any = true;
         for (const label i : stop_->results)
         {
             const result& r = results_[i];
@@ -135,7 +143,7 @@ Foam::scalar Foam::surfaceImpactStatistics::largestError() const
             largest = max(largest, e.error/mag(e.value));
         }
     }
-    return largest;
+    return any ? largest : GREAT;
 }
 
 

@@ -363,7 +363,7 @@ std::vector<Foam::wallLayer::release> Foam::wallLayer::settle()
         freedNumber_ = Zero;
         freedMass_ = Zero;
     }
-    std::sort
+    std::stable_sort
     (
         events_.begin(), events_.end(),
         [](const event& a, const event& b)

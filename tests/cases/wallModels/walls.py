@@ -625,6 +625,10 @@ def check_bad_input():
          ["15 to 21", "5 to 21"]),
         ("tableLay", N, ns(tab + " lay fixed; layDirection (0 0 1);"),
          ["lay fixed", "direct"]),
+        ("tableLaySmooth", N, ns(
+            f"method tabulated; table {table}; incidenceRange (15 21); {BOX}"
+            f" {LAW} wall {{ type smooth; }} lay acrossFlow;"),
+         ["lay acrossFlow", "direct"]),
         ("tableOrientation", N, ns(tab + " orientation uniformEuler;"),
          ["orientation"]),
     ]
