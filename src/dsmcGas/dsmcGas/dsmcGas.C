@@ -291,7 +291,7 @@ void Foam::dsmcGas::collide()
     const scalar deltaT = mesh_.time().deltaTValue();
     const std::uint64_t key = stream(impact::drawPurpose::collisions);
     const std::uint32_t step = mesh_.time().timeIndex();
-    const scalarField& V = mesh_.V();
+    const scalarField& V = cells_.volumes();
     scalarField& sigmaCMax = sigmaTcRMax_.primitiveFieldRef();
 
     impact::cellCollisions::counts counts;

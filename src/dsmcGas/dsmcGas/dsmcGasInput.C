@@ -430,7 +430,10 @@ void Foam::dsmcGas::readSampling()
         mesh_.time().controlDict().findDict("functions");
     if (functions && !functions->empty())
     {
-        instantaneous_.reset(new gasFields(mesh_, species_, weight_, ""));
+        instantaneous_.reset
+        (
+            new gasFields(mesh_, cells_.volumes(), species_, weight_, "")
+        );
     }
 
     if (const dictionary* sampling = findBlock(properties_, "sampling"))
@@ -440,7 +443,10 @@ void Foam::dsmcGas::readSampling()
             getNumber(*sampling, "start", validRange::time, scalar(0));
         samplingEvery_ =
             getNumber<label>(*sampling, "every", validRange::count, 1);
-        means_.reset(new gasFields(mesh_, species_, weight_, "Mean"));
+        means_.reset
+        (
+            new gasFields(mesh_, cells_.volumes(), species_, weight_, "Mean")
+        );
         if (functions)
         {
             refuseOtherMeans(*functions);

@@ -55,7 +55,7 @@ Foam::dsmcGas::state Foam::dsmcGas::stateOfAll() const
 
     // Means over pairs at equilibrium: of |c| and of sigma |c|
     const scalar T = s.temperature;
-    const scalar density = n*weight_/gSum(mesh_.V());
+    const scalar density = n*weight_/gSum(cells_.volumes());
     scalar speed = 0;
     forAll(names_, p)
     {
@@ -77,7 +77,7 @@ void Foam::dsmcGas::describe() const
     const state whole = stateOfAll();
     const scalar T = whole.temperature;
     const label n = nStart_;
-    const scalar density = n*weight_/gSum(mesh_.V());
+    const scalar density = n*weight_/gSum(cells_.volumes());
 
     Info<< "Gas" << nl
         << "    species: " << flatOutput(names_) << nl

@@ -173,12 +173,14 @@ void Foam::gasFields::derive()
 Foam::gasFields::gasFields
 (
     const fvMesh& mesh,
+    const scalarField& volumes,
     const std::vector<impact::cellCollisions::species>& species,
     const scalar weight,
     const word& suffix
 )
 :
     mesh_(mesh),
+    volumes_(volumes),
     species_(species),
     weight_(weight),
     suffix_(suffix),
@@ -222,7 +224,7 @@ Foam::gasFields::gasFields
     };
     forAll(mesh_.cells(), i)
     {
-        const scalar factor = mesh_.V()[i]*nSteps_/weight_;
+        const scalar factor = volumes_[i]*nSteps_/weight_;
         restore
         (
             [&](const label f) { return scalars_[f][i]; }, cells_[i], factor
@@ -383,7 +385,7 @@ void Foam::gasFields::update()
     forAll(mesh_.cells(), i)
     {
         const sums& s = cells_[i];
-        set(i, s, weight_/(mesh_.V()[i]*nSteps_));
+        set(i, s, weight_/(volumes_[i]*nSteps_));
         (*f[dsmcRhoN])[i] = s.number/nSteps_;
     }
     for (volScalarField& field : scalars_)

@@ -60,6 +60,33 @@ void Foam::convexCells::buildCells(const boolList& split)
 }
 
 
+void Foam::convexCells::buildVolumes()
+{
+    volumes_ = mesh_.cellVolumes();
+    const pointField& points = mesh_.points();
+    forAll(volumes_, celli)
+    {
+        if (firstCell_[celli + 1] - firstCell_[celli] == 1)
+        {
+            continue;
+        }
+        const point& centre = mesh_.cellCentres()[celli];
+        scalar sum = 0;
+        for (const label facei : mesh_.cells()[celli])
+        {
+            const scalar sign = mesh_.faceOwner()[facei] == celli ? 1 : -1;
+            for (label i = 0; i < mesh_.faces()[facei].size() - 2; ++i)
+            {
+                const triFace t(triangles_(facei, i));
+                sum +=
+                    sign*(t.areaNormal(points) & (points[t[0]] - centre))/3;
+            }
+        }
+        volumes_[celli] = sum;
+    }
+}
+
+
 void Foam::convexCells::buildBounds()
 {
     using namespace walkKernels;
@@ -233,6 +260,7 @@ Foam::convexCells::convexCells(const polyMesh& mesh, const boolList& others)
         split[celli] = split[celli] || others[celli];
     }
     buildCells(split);
+    buildVolumes();
     buildBounds();
     buildBoundary();
 

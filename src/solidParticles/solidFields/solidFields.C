@@ -120,9 +120,9 @@ Foam::exactSums Foam::solidFields::savedSums()
 void Foam::solidFields::restore()
 {
     const label nGroups = mass_.size();
-    forAll(mesh_.V(), celli)
+    forAll(volumes_, celli)
     {
-        const scalar V = mesh_.V()[celli];
+        const scalar V = volumes_[celli];
         for (label g = 0; particlesAsked() && g < nGroups; ++g)
         {
             sums& s = cells_[celli*nGroups + g];
@@ -172,10 +172,12 @@ Foam::solidFields::solidFields
 (
     const dictionary& dict,
     const fvMesh& mesh,
+    const scalarField& volumes,
     const scalarList& mass
 )
 :
     mesh_(mesh),
+    volumes_(volumes),
     mass_(mass),
     start_(getNumber(dict, "start", validRange::time, scalar(0))),
     every_(getNumber<label>(dict, "every", validRange::count, 1)),
@@ -286,9 +288,9 @@ void Foam::solidFields::update()
         return;
     }
     const label nGroups = mass_.size();
-    forAll(mesh_.V(), celli)
+    forAll(volumes_, celli)
     {
-        const scalar V = mesh_.V()[celli];
+        const scalar V = volumes_[celli];
         if (particlesAsked())
         {
             scalar number = 0, mass = 0, heat = 0;

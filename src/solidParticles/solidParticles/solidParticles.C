@@ -322,7 +322,7 @@ void Foam::solidParticles::exchangeInBusyCells()
     const scalar deltaT = mesh_.time().deltaTValue();
     const std::uint64_t key = stream(impact::drawPurpose::exchange);
     const std::uint32_t step = mesh_.time().timeIndex();
-    const scalarField& V = mesh_.V();
+    const scalarField& V = cells_.volumes();
     const bool samples =
         fields_.valid() && fields_->exchangeAsked() && fields_->samplingNow();
     impact::balance none;
@@ -468,7 +468,10 @@ Foam::solidParticles::solidParticles
         }
         fields_.reset
         (
-            new solidFields(getBlock(properties_, "sampling"), mesh, mass)
+            new solidFields
+            (
+                getBlock(properties_, "sampling"), mesh, cells.volumes(), mass
+            )
         );
         checked
         (

@@ -9,7 +9,7 @@ import re
 
 import numpy as np
 
-from caseTools import (decompose, edit, must, times_of, verdict,
+from caseTools import (decompose, edit, must, read_field, times_of, verdict,
                        write_block, write_foam)
 from dsmcTools import NITROGEN, read_molecules, solve, write_gas
 
@@ -109,6 +109,25 @@ for name, warped, ranks, flat in (
         verdict(f"{name}_splitsAndSays",
                 split is not None and 100 < int(split.group(1)) < 480,
                 f"split: {split.group(1) if split else 'nothing'}")
+
+# A uniform gas has the same density in each warped cell, whose volume is that
+# of its tetrahedra: that of its faces' centres is another one
+write_gas("density", TYPES, CELLS, LENGTHS, weight=1.2e12, density=5e19,
+          gas={"N2": NITROGEN}, collisions="none", wall="SpecularReflection",
+          initialise=False, more="sampling { start 0; }\n",
+          control={"deltaT": DT, "endTime": 60*DT, "writeFormat": "ascii"})
+warp("density")
+must("density", "dsmcInitialise")
+must("density", "postProcess", "-func", "writeCellVolumes", "-time", "0")
+solve("density")
+end = times_of("density")[-1]
+rho, count, V = (read_field(f"density/{f}") for f in (
+    f"{end}/rhoNMean", f"{end}/dsmcRhoNMean", "0/V"))
+off = 1.2e12*count/rho/V - 1
+slope = (off*(rho/rho.mean() - 1)).sum()/(off**2).sum()
+verdict("density_ofWarpedCells", off.std() > 0.01 and abs(slope) < 0.2,
+        f"volumes differ by {off.std():.3f} r.m.s., densities by"
+        f" {slope:.2f} of that")
 
 # --- a sector of 90 degrees: the distance from the axis, the radial and the
 #     axial velocity and the spin about the axis are those of the straight flight
