@@ -6,6 +6,7 @@
 #include "boundBox.H"
 #include "coreVector.H"
 #include "checked.H"
+#include "drawPurpose.H"
 #include "wordRes.H"
 
 #include <algorithm>
@@ -374,7 +375,6 @@ Foam::label Foam::solidInflow::fill
     const std::uint64_t seed
 ) const
 {
-    const polyMesh& mesh = cells_.mesh();
     const dictionary* block = findBlock(dict_, "fills");
     const dictionary fills(block ? *block : dictionary());
     label total = 0;
@@ -403,18 +403,33 @@ Foam::label Foam::solidInflow::fill
         scalar sum = 0;
         for (const label i : inside)
         {
-            sum += mesh.cellVolumes()[i];
+            sum += cells_.volumes()[i];
             volume.push_back(sum);
         }
+
+        // Counted along the volumes of all processors, one after the other: as
+        // many simulated particles on any number of them
+        scalarList upTo(Pstream::nProcs());
+        upTo[Pstream::myProcNo()] = sum;
+        Pstream::gatherList(upTo);
+        Pstream::scatterList(upTo);
+        for (label i = 1; i < upTo.size(); ++i)
+        {
+            upTo[i] += upTo[i - 1];
+        }
+        const scalar end = upTo[Pstream::myProcNo()];
+        const scalar start =
+            Pstream::master() ? 0 : upTo[Pstream::myProcNo() - 1];
+        const scalar all = upTo.last();
         const scalarList real
         (
-            realPerSimulator
-            (
-                d, "simulators",
-                concentration*returnReduce(sum, sumOp<scalar>())
-            )
+            realPerSimulator(d, "simulators", concentration*all)
         );
 
+        impact::counterRandom ofAll
+        (
+            seed, impact::drawPurpose::filling << 60, number
+        );
         impact::counterRandom rnd(seed, Pstream::myProcNo(), number++);
         forAll(groups_, g)
         {
@@ -424,15 +439,17 @@ Foam::label Foam::solidInflow::fill
                 continue;
             }
             const scalar mean =
-                concentration*sum*size.massFraction/(size.mass*real[g]);
+                concentration*all*size.massFraction/(size.mass*real[g]);
+            const scalar nAll = std::floor(mean*(1 + 1e-12) + ofAll.uniform());
+            const scalar shift = ofAll.uniform();
+            const scalar first = std::ceil(start/all*nAll - shift);
             const label n =
-                counted(mean*(1 + 1e-12) + rnd.uniform(), size);
-            const scalar shift = rnd.uniform();
+                counted(std::ceil(end/all*nAll - shift) - first, size);
             std::size_t k = 0;
             for (label i = 0; i < n; ++i)
             {
                 // At equal distances along the volumes of the cells
-                const scalar at = (i + shift)/n*sum;
+                const scalar at = (first + i + shift)/nAll*all - start;
                 while (k + 1 < volume.size() && volume[k] < at)
                 {
                     ++k;

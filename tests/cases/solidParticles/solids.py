@@ -358,3 +358,19 @@ shutil.rmtree(f"part/{times_of('part')[-1]}")
 log = solve("part")
 verdict("part_withoutSolids", "Solid particles: none" in log,
         "the log says that there are none")
+
+# --- as many on any number of ranks, also where each has its share of a few
+write_gas("few", PERIODIC, (4, 4, 4), (0.004, 0.004, 0.004), **THIN,
+          collisions="none", control={"deltaT": 1e-9, "endTime": 1e-9})
+one = ("{ region all; concentration 1e-3; velocity (0 0 0);"
+       " temperature 300; simulators 3; }\n")
+write_solids("few", f"fills {{ a {one} b {one} c {one} }}\n",
+             exchange="none", walls=None)
+copy_case("few", "fewTwo")
+decompose("fewTwo", (2, 1, 1))
+filled = [tally(solve(c, n), "initial") for c, n in (("few", 1),
+                                                     ("fewTwo", 2))]
+verdict("fills_onTwoRanks", filled[0][0] == 18
+        and np.allclose(*filled, rtol=1e-13, atol=0)
+        and abs(filled[0][2]/(3*1e-3*0.004**3) - 1) < 1e-9,
+        f"{filled[0]} and {filled[1]}")
