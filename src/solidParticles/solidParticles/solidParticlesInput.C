@@ -377,6 +377,7 @@ void Foam::solidParticles::readParticles()
         inflow_->fill(particles_, seed_);
         name(0);
     }
+    label above = 0;
     const solidData& data = particles_.payload();
     for (label i = 0; i < particles_.size(); ++i)
     {
@@ -397,8 +398,14 @@ void Foam::solidParticles::readParticles()
         count(tally_[initial], i);
         if (data.origProc[i] != wallLayer::releasedProc)
         {
-            nNamed_ = max(nNamed_, data.origId[i] + 1);
+            above = max(above, data.origId[i] + 1);
         }
+    }
+
+    // Particles may be here that another processor has put in
+    if (found)
+    {
+        nNamed_ = returnReduce(above, maxOp<label>());
     }
 }
 
@@ -466,9 +473,11 @@ void Foam::solidParticles::readTallies()
         label(balance - returnReduce(particles_.size(), sumOp<label>()));
     hits_ = mine ? std::int64_t(state.get<scalar>("hits")) : 0;
 
-    // On as many processors as before each goes on with its own
+    // On as many processors as before each goes on with its own, on others
+    // above all given
     const dictionary* named = state.findDict("named");
     const bool same = named && named->size() == Pstream::nProcs();
+    nNamed_ = named ? 0 : nNamed_;
     for (const entry& e : named ? *named : dictionary::null)
     {
         if (!same || e.keyword() == processorName(Pstream::myProcNo()))

@@ -200,6 +200,15 @@ verdict("nonSphericalRebound_smooth", len(out) > 40
 differ = restarts("spheroids")
 verdict("nonSphericalRebound_restart", not differ, f"differ: {differ[:5]}")
 
+# --- identities go on as they were on ranks that have each other's particles
+beam("crosses", SPHEROID, (100., 400., 0.), "fills { low { region box;"
+     " box (0 0 0) (0.02 0.005 0.01); concentration 0.5;"
+     " velocity (100 400 0); temperature 400; simulators 500; } }\n")
+decompose("crosses", (1, 2, 1))
+solve("crosses", 2)
+differ = restarts("crosses", 2)
+verdict("identities_twoRanksRestart", not differ, f"differ: {differ[:5]}")
+
 # --- spheres on waves without friction: their crests lie across the motion, or
 # across the gas, which goes along z; nothing is given along the crests
 for lay, along in (("acrossMotion", 2), ("acrossFlow", 1)):
