@@ -53,6 +53,26 @@ Foam::label Foam::solidInflow::counted
 }
 
 
+void Foam::solidInflow::warnOfNone
+(
+    const dictionary& d,
+    const word& count,
+    const group& size,
+    const scalar expected,
+    const scalar real
+) const
+{
+    if (expected < 1 - 1e-9)
+    {
+        IOWarningInFunction(d)
+            << "Of diameter " << size.diameter << " m " << expected
+            << " simulated particles come in, in all of the run: fewer than"
+            << " one. Lower realPerSimulator, now " << real << ", or set "
+            << count << endl;
+    }
+}
+
+
 Foam::scalarList Foam::solidInflow::perGroup
 (
     const dictionary& d,
@@ -285,6 +305,21 @@ void Foam::solidInflow::addPatch
     sources_.push_back(s);
     Info<< "    through " << patch.name() << ": " << all << " kg/s"
         << nl;
+
+    const scalar duration = mesh.time().endTime().value() - mesh.time().value();
+    forAll(groups_, g)
+    {
+        const group& size = groups_[g];
+        if (size.massFraction > 0 && duration > 0)
+        {
+            warnOfNone
+            (
+                d, "simulatorsPerStep", size,
+                all*size.massFraction*duration/(size.mass*s.number[g]),
+                s.number[g]
+            );
+        }
+    }
 }
 
 
@@ -440,6 +475,7 @@ Foam::label Foam::solidInflow::fill
             }
             const scalar mean =
                 concentration*all*size.massFraction/(size.mass*real[g]);
+            warnOfNone(d, "simulators", size, mean, real[g]);
             const scalar nAll = std::floor(mean*(1 + 1e-12) + ofAll.uniform());
             const scalar shift = ofAll.uniform();
             const scalar first = std::ceil(start/all*nAll - shift);

@@ -10,6 +10,7 @@ from caseTools import complaint, copy_case, edit, run, verdict
 from dsmcTools import refuses, write_gas
 from solidTools import PROPERTIES, fill, write_solids
 
+GAS = "constant/dsmcProperties"
 TYPES = {"xMin": "patch", "xMax": "patch", "yMin": "wall", "yMax": "wall",
          "zMin": "symmetryPlane", "zMax": "symmetryPlane"}
 
@@ -151,8 +152,19 @@ status, text = run(case, "dsmcParcelFoam")
 verdict("lateStart_warns", status == 0 and "Block sampling begins at 1 s" in
         " ".join(text.split()) and "it adds nothing" in text, complaint(text))
 
+# Groups of which none is simulated are warned of, by fill and by inflow
+case = copy_case("good", "none")
+edit(case, PROPERTIES, "simulators 100;", "")
+edit(case, PROPERTIES, "realPerSimulator 1000", "realPerSimulator 1e20")
+status, text = run(case, "dsmcParcelFoam")
+told = re.findall(r"Of diameter (\S+) m \S+ simulated particles come in, in all"
+                  r" of the run: fewer than one. Lower realPerSimulator, now"
+                  r" 1e\+20, or set (\w+)\n", text)
+verdict("noneAtAll_isWarnedOf", status == 0 and sorted(told) == [
+    (d, entry) for d in ("3e-06", "6e-06")
+    for entry in ("simulators", "simulatorsPerStep")], told)
+
 # What the run has written goes on as what it was
-GAS = "constant/dsmcProperties"
 for name, file, old, new, texts in (
         ("sizes", PROPERTIES, "(3e-06 6e-06)", "(6e-06 3e-06)",
          ["groups", "3e-06 m", "6e-06 m"]),
