@@ -259,7 +259,6 @@ void Foam::dsmcGas::checkDiffuseWalls() const
                 << exit(FatalIOError);
         }
         const scalarField& wallT = boundaryT_->boundaryField()[patchi];
-        const vectorField& wallU = boundaryU_->boundaryField()[patchi];
         forAll(patch, i)
         {
             if (!within(wallT[i], validRange::temperature))
@@ -271,22 +270,8 @@ void Foam::dsmcGas::checkDiffuseWalls() const
                     validRange::temperature
                 );
             }
-            const vector n = normalised(patch.faceAreas()[i]);
-            if
-            (
-                !(cmptMax(cmptMag(wallU[i])) < 3e8)
-             || mag(wallU[i] & n) > 1e-6*mag(wallU[i])
-            )
-            {
-                refuse
-                (
-                    dictionary(boundaryU_->objectPath()),
-                    "boundaryU of the diffuse wall " + patch.name(), wallU[i],
-                    "a velocity along the wall, whose normal is ", n,
-                    ", less than 3e8 m/s"
-                );
-            }
         }
+        checkWallVelocity(patchi, "diffuse wall");
     }
 }
 
@@ -470,4 +455,35 @@ void Foam::dsmcGas::findMaxima()
     sigmaTcRMax_.primitiveFieldRef() =
         max(sigmaTcRMax_.primitiveField(), start);
     sigmaTcRMax_.correctBoundaryConditions();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::dsmcGas::checkWallVelocity
+(
+    const label patchi,
+    const std::string& kind
+) const
+{
+    const polyPatch& patch = mesh_.boundaryMesh()[patchi];
+    const vectorField& U = boundaryU_->boundaryField()[patchi];
+    forAll(patch, i)
+    {
+        const vector n = normalised(patch.faceAreas()[i]);
+        if
+        (
+            !(cmptMax(cmptMag(U[i])) < 3e8)
+         || mag(U[i] & n) > 1e-6*mag(U[i])
+        )
+        {
+            refuse
+            (
+                dictionary(boundaryU_->objectPath()),
+                "boundaryU of the " + kind + " " + patch.name(), U[i],
+                "a velocity along the wall, whose normal is ", n,
+                ", less than 3e8 m/s"
+            );
+        }
+    }
 }

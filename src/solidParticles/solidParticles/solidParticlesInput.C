@@ -10,6 +10,7 @@
 #include "presentFile.H"
 #include "sizeGroups.H"
 #include "wallLayer.H"
+#include "wallPolyPatch.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -428,6 +429,13 @@ void Foam::solidParticles::readWalls()
     for (const auto& group : groups_)
     {
         diameters.append(group.diameter);
+    }
+    for (const polyPatch& patch : mesh_.boundaryMesh())
+    {
+        if (gas_.boundaryU() && isA<wallPolyPatch>(patch))
+        {
+            gas_.checkWallVelocity(patch.index(), "wall of solid particles");
+        }
     }
     walls_.reset
     (

@@ -92,6 +92,12 @@ EDITS = [   # name, change, texts that the message must hold
      ["Unknown wall xMin", "yMin yMax"]),
     ("wallType", replace("type specular", "type sticky"),
      ["Unknown type sticky", "specular hardSphereWall"]),
+    ("wallVelocity", lambda case: (
+        edit(case, GAS, "MaxwellianThermal;", "SpecularReflection;"),
+        edit(case, "0/boundaryU",
+             "yMax { type fixedValue; value uniform (0 0 0)",
+             "yMax { type fixedValue; value uniform (0 5 0)")),
+     ["boundaryU", "wall of solid particles yMax (0 5 0)", "along the wall"]),
     ("wallLaw", replace("type specular",
                         "type hardSphereWall; restitution 1.2; friction 0"),
      ["restitution 1.2", "[0, 1]"]),
