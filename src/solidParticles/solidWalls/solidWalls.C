@@ -27,6 +27,8 @@ Foam::List<const Foam::dictionary*> Foam::solidWalls::settingsOf
 
     const dictionary* own = findBlock(dict, "walls");
     List<const dictionary*> settings(patches.size(), nullptr);
+
+    // (a name goes before patterns)
     for (const bool names : {false, true})
     {
         for (const entry& e : own ? *own : dictionary::null)
@@ -40,13 +42,24 @@ Foam::List<const Foam::dictionary*> Foam::solidWalls::settingsOf
                 {
                     continue;
                 }
-                if (name == e.keyword() || wordRe(e.keyword()).match(name))
+                const bool named = name == e.keyword();
+                if (!named && !wordRe(e.keyword()).match(name))
                 {
-                    found = true;
-                    if (!names || name == e.keyword())
-                    {
-                        settings[patchi] = &d;
-                    }
+                    continue;
+                }
+                found = true;
+                if (!names && !named && settings[patchi])
+                {
+                    refuse
+                    (
+                        *own, "walls", e.keyword(),
+                        "one pattern for the wall ", name,
+                        ", or an entry of its name"
+                    );
+                }
+                if (names == named)
+                {
+                    settings[patchi] = &d;
                 }
             }
             if (!found)
@@ -183,13 +196,17 @@ Foam::solidWalls::solidWalls
         "specular", "hardSphereWall", "semiEmpiricalRebound",
         "nonSphericalRebound", "jkrAdhesion", "stick", "escape"
     };
-    for (const dictionary* d : settings)
+    Info<< "Walls of the solid particles:" << nl;
+    forAll(settings, patchi)
     {
-        if (d)
+        if (settings[patchi])
         {
-            getWordOf(*d, "type", "", types);
+            Info<< "    " << cloud.pMesh().boundaryMesh()[patchi].name() << ": "
+                << getWordOf(*settings[patchi], "type", "", types) << nl;
         }
     }
+    Info<< endl;
+
     // The three that are no models are cases of the first one
     addModel
     (

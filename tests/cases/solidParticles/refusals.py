@@ -92,6 +92,8 @@ EDITS = [   # name, change, texts that the message must hold
      ["Unknown wall xMin", "yMin yMax"]),
     ("wallType", replace("type specular", "type sticky"),
      ["Unknown type sticky", "specular hardSphereWall"]),
+    ("wallPatterns", replace('".*" {', '"y.*" { type stick; } ".*" {'),
+     ["Entry walls", "one pattern for the wall y"]),
     ("wallVelocity", lambda case: (
         edit(case, GAS, "MaxwellianThermal;", "SpecularReflection;"),
         edit(case, "0/boundaryU",
@@ -157,6 +159,13 @@ edit(case, PROPERTIES, "start 0", "start 1")
 status, text = run(case, "dsmcParcelFoam")
 verdict("lateStart_warns", status == 0 and "Block sampling begins at 1 s" in
         " ".join(text.split()) and "it adds nothing" in text, complaint(text))
+
+# A table of the walls, in which a name goes before patterns
+case = copy_case("good", "walls")
+edit(case, PROPERTIES, '".*" {', 'yMin { type stick; } ".*" {')
+status, text = run(case, "dsmcParcelFoam")
+verdict("walls_areListed", status == 0 and "Walls of the solid particles:\n"
+        "    yMin: stick\n    yMax: specular\n" in text, complaint(text))
 
 # Groups of which none is simulated are warned of, by fill and by inflow
 case = copy_case("good", "none")
