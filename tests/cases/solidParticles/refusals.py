@@ -100,6 +100,16 @@ EDITS = [   # name, change, texts that the message must hold
              "yMax { type fixedValue; value uniform (0 0 0)",
              "yMax { type fixedValue; value uniform (0 5 0)")),
      ["boundaryU", "wall of solid particles yMax (0 5 0)", "along the wall"]),
+    ("tooMany", lambda case: (
+        edit(case, PROPERTIES, "simulators 100;", ""),
+        edit(case, PROPERTIES, "realPerSimulator 1000",
+             "realPerSimulator 1e-3")),
+     ["Of diameter", "simulated particles come in at once", "[0, 1e9]"]),
+    ("deviation", replace(
+        "type list; diameters (3e-06 6e-06); massFractions (1.0 1.0);",
+        "type lognormal; radius 1e-6; deviation 20; weighting mass;"
+        " classes 3;"),
+     ["deviation 20", "(1, 10]"]),
     ("wallLaw", replace("type specular",
                         "type hardSphereWall; restitution 1.2; friction 0"),
      ["restitution 1.2", "[0, 1]"]),
@@ -193,6 +203,32 @@ for name, file, old, new, texts in (
     edit(case, "system/controlDict", "endTime 1e-06", "endTime 2e-06")
     edit(case, file, old, new)
     refuses(f"refuses_other_{name}", case, texts)
+
+case = copy_case("good", "interface")
+edit(case, PROPERTIES, "randomSeed 7",
+     "interface { patches (xMax); } randomSeed 7")
+run(case, "dsmcParcelFoam")
+for name, new, texts in (
+        ("patches", "patches (xMax xMin)",
+         ["interface", "patches 2(xMin xMax)", "time 1e-06", "(xMax)"]),
+        ("start", "patches (xMax); start 1e-06",
+         ["interface", "start 1e-06", "time 1e-06", "0"])):
+    case = copy_case("interface", "restart_interface_" + name)
+    edit(case, "system/controlDict", "endTime 1e-06", "endTime 2e-06")
+    edit(case, PROPERTIES, "patches (xMax)", new)
+    refuses(f"refuses_other_interface_{name}", case, texts)
+
+# Where the disk is full the run ends, with file and reason
+case = copy_case("interface", "full")
+shutil.rmtree("full/1e-06")
+folder = "full/postProcessing/particleInterface/1e-06"
+os.remove(folder + "/interface.csv")
+os.symlink("/dev/full", folder + "/interface.csv.unfinished")
+status, text = run(case, "dsmcParcelFoam")
+verdict("interface_onAFullDisk", status != 0
+        and "particleInterface/1e-06/interface.csv" in text
+        and "No space left on device" in text
+        and not os.path.exists(folder + "/interface.csv"), complaint(text))
 
 case = copy_case("good", "large")
 edit(case, PROPERTIES, "(3e-06 6e-06)", "(3e-06 0.06)")

@@ -374,3 +374,18 @@ verdict("fills_onTwoRanks", filled[0][0] == 18
         and np.allclose(*filled, rtol=1e-13, atol=0)
         and abs(filled[0][2]/(3*1e-3*0.004**3) - 1) < 1e-9,
         f"{filled[0]} and {filled[1]}")
+
+# --- a fill is put in once, also if all of it has gone
+for name, wall, fate in (("gone", "patch", "left"), ("kept", "wall", "stuck")):
+    write_gas(name, dict(PERIODIC, xMin="patch", xMax=wall), (2, 2, 2),
+              (0.004, 0.004, 0.004), **THIN, collisions="none",
+              control={"deltaT": 1e-5, "endTime": 4e-5, "writeInterval": 2})
+    write_solids(name, fill(1e-6, (500, 0, 0), simulators=10),
+                 walls="stick" if wall == "wall" else None, exchange="none")
+    solve(name)
+    shutil.rmtree(f"{name}/{times_of(name)[-1]}")
+    log = solve(name)
+    verdict(f"{name}_onceOnly", tally(log, fate)[0] == 20
+            and tally(log, "initial")[0] == 20 and "lost: 0, now: 0" in log,
+            f"{tally(log, 'initial')[0]:.0f} at the start,"
+            f" {tally(log, fate)[0]:.0f} {fate}")
