@@ -129,11 +129,7 @@ void Foam::solidParticles::readExchange()
         groups_[g].mass = exchange_->sizeOf(g).mass;
     }
     readCorrection();
-    if (exchange_->twoWay())
-    {
-        ledger_.resize(mesh_.nCells());
-        readLedger();
-    }
+    readLedger();
 }
 
 
@@ -334,6 +330,10 @@ void Foam::solidParticles::checkIdentity() const
 
 void Foam::solidParticles::readLedger()
 {
+    if (exchange_->twoWay())
+    {
+        ledger_.resize(mesh_.nCells());
+    }
     const auto present = [&](const label k)
     {
         return IOobject
@@ -355,6 +355,16 @@ void Foam::solidParticles::readLedger()
     {
         const volVectorField momentum(P, mesh_);
         const volScalarField energy(E, mesh_);
+        if (!exchange_->twoWay())
+        {
+            WarningInFunction
+                << "The ledger of " << mesh_.time().timePath()
+                << " holds " << gSum(momentum.primitiveField())
+                << " kg m/s and " << gSum(energy.primitiveField())
+                << " J that the gas has still to take: with exchange none it"
+                << " never does" << endl;
+            return;
+        }
         forAll(energy, i)
         {
             ledger_[i].momentum = toCore(momentum[i]);

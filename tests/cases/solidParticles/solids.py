@@ -321,6 +321,17 @@ for exchange in ("perCell", "perCollision"):
             f"bits {'same' if same else 'differ'},"
             f" {np.count_nonzero(owed[0])} cells owed, greatest changes"
             f" {changes(log)}")
+copy_case("ledger_perCell", "ledgerDropped")
+edit("ledgerDropped", "constant/solidParticleProperties",
+     "exchange perCell", "exchange none")
+edit("ledgerDropped", "system/controlDict", "endTime 2e-05", "endTime 2.1e-05")
+energy = re.search(rf"The ledger of \S+ holds \({NUMBER} {NUMBER} {NUMBER}\)"
+                   rf" kg m/s and {NUMBER} J that",
+                   " ".join(solve("ledgerDropped").split()))
+owed = read_field(f"ledger_perCell/{names[-1]}/solidLedgerEnergy").sum()
+verdict("ledger_droppedWithAWarning", energy is not None
+        and abs(float(energy.group(4))/owed - 1) < 1e-5,
+        f"{energy and energy.group(4)} J of {owed:.6g}")
 verdict("ledger_lightSpheres", all(
     np.array_equal(states["perCell"][k], states["perCollision"][k])
     for k in states["perCell"]), "exchange as with perCell")
