@@ -307,12 +307,59 @@ void Foam::gasMesh::fillGhosts(std::vector<double>& values) const
 }
 
 
+void Foam::gasMesh::checkWedge() const
+{
+    std::vector<bool> beside(nCells_, false);
+    scalar width = 0;
+    scalar offset = 0;
+    for (const polyPatch& pp : mesh_.boundaryMesh())
+    {
+        if (!isA<wedgePolyPatch>(pp))
+        {
+            continue;
+        }
+        const wedgePolyPatch& plane = refCast<const wedgePolyPatch>(pp);
+        forAll(pp, i)
+        {
+            beside[pp.faceCells()[i]] = true;
+            const point C(pp.faceCentres()[i]);
+            const vector r(C - (C & plane.axis())*plane.axis());
+            width = max(width, mag(r)*std::sqrt(1 - sqr(plane.cosAngle())));
+            offset = max(offset, mag(r & plane.n()));
+        }
+    }
+    reduce(width, maxOp<scalar>());
+    reduce(offset, maxOp<scalar>());
+    if (offset > 1e-3*width)
+    {
+        FatalErrorInFunction
+            << "The axis of the wedge does not go through the origin: one of"
+            << " its planes is " << offset << " m away from it." << nl
+            << "Move the mesh there (transformPoints -translate)"
+            << exit(FatalError);
+    }
+    for (label c = 0; c < nCells_; c++)
+    {
+        if (!beside[c])
+        {
+            FatalErrorInFunction
+                << "The cell at " << mesh_.cellCentres()[c] << " touches no"
+                << " patch of type wedge: there are more than two layers of"
+                << " cells around the axis." << nl
+                << "Make one layer of cells between the wedge patches"
+                << exit(FatalError);
+        }
+    }
+}
+
+
 void Foam::gasMesh::setAxis()
 {
     if (!wedge())
     {
         return;
     }
+    checkWedge();
 
     const vector along(normalised(wedge()->axis()));
     const vector side(normalised(wedge()->centreNormal() ^ along));

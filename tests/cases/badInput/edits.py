@@ -210,6 +210,25 @@ def quarter_ring(case):
         write_field(case, field, value, sides)
 
 
+def wedge(layers, shift=0.0):
+    """A wedge of layers around an axis beside the origin."""
+    def change(case):
+        def corner(x, r, side):
+            angle = math.radians(side)
+            return x, shift + r*math.cos(angle), r*math.sin(angle)
+        write_block(case, [corner(x, r, side) for side in (-2, 2)
+                           for x, r in ((0, 1), (1, 1), (1, 2), (0, 2))],
+                    (4, 4, layers), {
+                        "xMin": "patch", "xMax": "patch", "yMin": "patch",
+                        "yMax": "patch", "zMin": "wedge", "zMax": "wedge"})
+        must(case, "blockMesh")
+        sides = {"zMin": "type wedge;", "zMax": "type wedge;",
+                 '".*"': "type zeroGradient;"}
+        for field, value in ("p", 1e5), ("T", 300), ("U", (0, 0, 0)):
+            write_field(case, field, value, sides)
+    return change
+
+
 RAS = "simulationType RAS; RAS { RASModel kOmegaSST; turbulence on; }"
 RAKE = "constant/rake50Properties"
 SAND = "constant/sand50Properties"
@@ -400,6 +419,17 @@ TABLE = [
      ["localEuler", "mode steady", "Euler"]),
     ("steadyState", in_time(ddt=("default Euler", "default steadyState")),
      ["steadyState", "mode steady", "Euler"]),
+    ("boundedSteadyState", in_time(
+        ddt=("default Euler", "default bounded steadyState")),
+     ["steadyState", "mode steady", "Euler"]),
+    ("inletOfChance", replace(
+        "0/T", "outlet      { type zeroGradient; }",
+        "outlet { type turbulentInlet; referenceField uniform 223.25;"
+        " fluctuationScale 0.01; value uniform 223.25; }"),
+     ["Field T", "turbulentInlet", "outlet", "mode transient"]),
+    ("wedgeOfLayers", wedge(3), ["wedge", "one layer"]),
+    ("wedgeBesideOrigin", wedge(1, 0.5),
+     ["origin", "transformPoints -translate"]),
     ("fvOptions", with_file("system/fvOptions", "heater"
                             " { type scalarSemiImplicitSource; active yes; }"),
      ["heater", "fvOptions", "active no"]),
