@@ -120,7 +120,8 @@ void Foam::gasTurbulence::checkSteady() const
 
     static const wordList transported
     ({
-        "k", "epsilon", "omega", "nuTilda", "R", "ReThetat", "gammaInt"
+        "k", "epsilon", "omega", "nuTilda", "R", "ReThetat", "gammaInt",
+        "v2", "phit"
     });
     const fvMesh& mesh = geometry_.mesh();
     for (const word& field : transported)
