@@ -107,7 +107,8 @@ void Foam::gasEquations::setEquationOfState()
     const scalarField p(n + 1, 1e5);
     const labelList cells(n + 1, Zero);
 
-    const scalar W = thermo_.W()()[0];
+    // (a rank may have no cells)
+    const scalar W = gMax(thermo_.W()().primitiveField());
     eos_.R = constant::thermodynamic::RR/W;
 
     const scalarField he(thermo_.he(p, T, cells));

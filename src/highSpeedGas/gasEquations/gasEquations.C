@@ -49,6 +49,11 @@ static void refuseMisspelt(const dictionary& schemes)
     const dictionary& d = schemes.subDict("interpolationSchemes");
     for (const word& key : d.toc())
     {
+        const word& key = e.keyword();
+        if (e.keyword().isPattern())
+        {
+            continue;
+        }
         const auto bracket = key.find('(');
         const word stem(key.substr(0, bracket));
         const string of(bracket == word::npos ? "" : key.substr(bracket));

@@ -3,8 +3,8 @@
 in a folder of its own."""
 
 import numpy as np
-from caseTools import (box, last_fields, must, solve, verdict, write_block,
-                       write_case, write_field)
+from caseTools import (box, copy_case, decompose, edit, last_fields, must,
+                       solve, verdict, write_block, write_case, write_field)
 
 N = 12
 rng = np.random.default_rng(3)
@@ -29,3 +29,20 @@ for k, size in enumerate((0, 1e-13)):
 apart = abs(found[1]/found[0] - 1).max()
 verdict("gas_at_rest", apart < 1e-9 and abs(found[0]/p - 1).max() > 0.01,
         f"velocities of 1e-13 m/s change p by {apart:.1e}, tolerance 1e-9")
+
+# Keys of schemes may be patterns
+case = copy_case("rest0", "pattern")
+must(case, "rm", "-r", "3e-06")
+edit(case, "system/fvSchemes", "reconstruct vanAlbada", '"reconstruct.*" upwind')
+said = solve(case)
+verdict("patterns_are_keys", "limiter upwind" in said, "upwind by a pattern")
+
+# A rank without cells
+case = copy_case("rest0", "idleRank")
+must(case, "rm", "-r", "3e-06")
+decompose(case, of_cells=2*(np.arange(N*N) % N < 5))
+solve(case, 3)
+must(case, "reconstructPar")
+apart = abs(last_fields(case, "p")[0]/found[0] - 1).max()
+verdict("rank_without_cells", apart < 1e-12,
+        f"p differs by {apart:.1e} from that of one rank, tolerance 1e-12")
