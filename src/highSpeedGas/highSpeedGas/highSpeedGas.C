@@ -162,9 +162,8 @@ void Foam::highSpeedGas::setDeltaT(Time& runTime)
         return;
     }
 
-    const scalar stable = timeIntegrator_->centralStep(stepCo_);
-    const scalar largest =
-        runTime.controlDict().getOrDefault<scalar>("maxDeltaT", GREAT);
+    const scalar stable = timeIntegrator_->centralStep(largestCo(control));
+    const scalar largest = control.getOrDefault<scalar>("maxDeltaT", GREAT);
 
     // After a sudden rise of the stable step the flow may need some steps to
     // show why it was small

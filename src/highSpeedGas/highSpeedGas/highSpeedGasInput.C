@@ -122,7 +122,12 @@ void Foam::highSpeedGas::refuseTimeScheme() const
         {
             continue;
         }
-        const word name(e.stream());
+        ITstream& is = e.stream();
+        word name(is);
+        if (name == "bounded")
+        {
+            is >> name;
+        }
         if (local.found(name) && mode_ == modeType::transient)
         {
             FatalIOErrorInFunction(schemes)
@@ -173,16 +178,16 @@ void Foam::highSpeedGas::readSettings()
     stages_ = implicit_ ? 3 : i + 1;
 
     const dictionary& control = mesh_.time().controlDict();
-    adjustsTimeStep_ =
+    const bool adjusts =
         mode_ == modeType::transient
      && control.getOrDefault("adjustTimeStep", false);
 
     maxCo_ = getNumber
     (
         d, "maxCo", implicit_ ? "(0, 1e9]" : "(0, 1]",
-        scalar(implicit_ ? 100 : adjustsTimeStep_ ? 1 : 0.5)
+        scalar(implicit_ ? 100 : adjusts ? 1 : 0.5)
     );
-    stepCo_ = getNumber(control, "maxCo", "(0, 1e300]", scalar(0.5));
+    largestCo(control);
     residual_ = getNumber(d, "residual", "(0, 1)", scalar(1e-6));
     maxIterations_ =
         getNumber<label>(d, "maxIterations", validRange::count, 10000);
@@ -196,6 +201,12 @@ void Foam::highSpeedGas::readSettings()
     (
         "viscous", gasEquations::hasViscosity(*thermo_)
     );
+}
+
+
+Foam::scalar Foam::highSpeedGas::largestCo(const dictionary& control)
+{
+    return getNumber(control, "maxCo", "(0, 1e300]", scalar(0.5));
 }
 
 
