@@ -97,6 +97,7 @@ void Foam::gasEquations::setPatches()
     bool needsStress = false;
     boolList excluded(mesh_.boundary().size(), false);
     frictionless_.setSize(mesh_.boundary().size(), false);
+    ofGradient_.setSize(mesh_.boundary().size(), false);
     wall_.setSize(mesh_.boundary().size(), false);
     ofFlux_.setSize(mesh_.boundary().size(), false);
     pressed_.setSize(mesh_.boundary().size(), false);
@@ -151,6 +152,8 @@ void Foam::gasEquations::setPatches()
         open_ = open_ || !(patch.coupled || patch.image() || shut);
         excluded[patchi] = slip || (shut && !viscous_ && !patch.image());
         frictionless_[patchi] = slip;
+        ofGradient_[patchi] =
+            !thermo_.T().boundaryField()[patchi].fixesValue();
         wall_[patchi] =
             isA<wallFvPatch>(fvp)
          || (ofFixedVelocity.found(Up.type()) && Up.type() != "fixedValue");

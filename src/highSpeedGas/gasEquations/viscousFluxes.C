@@ -9,7 +9,9 @@ void Foam::gasEquations::viscousFlux
 (
     const label f,
     const double share,
-    const label behind
+    const label behind,
+    const double friction,
+    const bool ofGradient
 )
 {
     constexpr int nVar = nDim + 2;
@@ -41,6 +43,24 @@ void Foam::gasEquations::viscousFlux
             g[d][k] += defect*n[d];
         }
         q[k] = (1 - share)*qo[k] + share*qf[k];
+    }
+
+    if (ofGradient)
+    {
+        // The condition has made the temperature of the face of that of the
+        // cell and its own gradient: the way along the face is not in it, and
+        // what the cell has of a gradient there would heat adiabatic walls
+        double normal = 0;
+        for (int d = 0; d < nDim; d++)
+        {
+            normal += g[d][1]*n[d];
+        }
+        const double defect =
+            (qf[1] - qo[1])/geometry_.normalDistance[f] - normal;
+        for (int d = 0; d < nDim; d++)
+        {
+            g[d][1] += defect*n[d];
+        }
     }
 
     const double T = q[1];
@@ -79,7 +99,7 @@ void Foam::gasEquations::viscousFlux
         {
             stress += (g[k][2 + d] + g[d][2 + k])*n[k];
         }
-        flux[2 + d] = -mu*stress;
+        flux[2 + d] = -friction*mu*stress;
         flux[1] += flux[2 + d]*q[2 + d] - lambda*g[d][1]*n[d];
     }
 
@@ -193,10 +213,17 @@ void Foam::gasEquations::viscousFluxes()
             {
                 hoopStress<nDim>(f);
             }
-            else if (!frictionless_[patch.patchi])
+            else
             {
                 // State of the face, gradient of the cell
-                viscousFlux<nDim>(f, 1, geometry_.owner[f]);
+                viscousFlux<nDim>
+                (
+                    f,
+                    1,
+                    geometry_.owner[f],
+                    frictionless_[patch.patchi] ? 0 : 1,
+                    ofGradient_[patch.patchi]
+                );
             }
         }
     }

@@ -1,10 +1,10 @@
 # parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """Gas blown through a patch of type wall, and a wall that moves along
-itself."""
+itself; adiabatic walls of leaning cells."""
 
 import numpy as np
-from caseTools import (GAMMA, R_GAS, box, last_fields, must, solve, verdict,
-                       write_block, write_case, write_field)
+from caseTools import (GAMMA, R_GAS, box, edit, last_fields, must, solve,
+                       verdict, write_block, write_case, write_field)
 
 P, T0, U0 = 1e5, 300.0, 60.0
 A = np.sqrt(GAMMA*R_GAS*T0)
@@ -87,3 +87,25 @@ d = max(abs(results[n]/results["fixed"] - 1).max()
         for n in ("onPatch", "sliding"))
 verdict("typeOfPatch", d < 1e-12,
         f"largest difference of the three {d:.1e}, tolerance 1e-12")
+
+# Heat that gas without flow conducts stays in it, whichever way cells lean
+case = "leaning"
+write_case(case, {"endTime": 1e-4, "deltaT": 1e-6, "writeInterval": 1e-4},
+           {"mode": "transient", "viscous": "yes"})
+write_block(case, [(x + y, y, z) for x, y, z in box((0.01, 0.01, 0.01))],
+            (20, 20, 1), {s + e: "wall" for s in "xy" for e in ("Min", "Max")})
+cold = np.add.outer(np.arange(20), np.arange(20)).ravel()*5 + 300.0
+for field, value, wall in (("p", 1e5, zero), ("T", cold, zero),
+                           ("U", (0, 0, 0), "type noSlip;")):
+    write_field(case, field, value, {
+        "zMin": "type empty;", "zMax": "type empty;",
+        **{s + e: wall for s in "xy" for e in ("Min", "Max")}})
+edit(case, "constant/thermophysicalProperties", "As 1.458e-06", "As 1e-4")
+must(case, "blockMesh")
+solve(case)
+p, T, U, rho = last_fields(case)
+energy = (p/(GAMMA - 1) + 0.5*rho*(U*U).sum(axis=1)).mean()*(GAMMA - 1)/1e5 - 1
+moved = abs(T/cold - 1).max()
+verdict("leaning_cells_are_adiabatic", abs(energy) < 1e-10 and moved > 0.01,
+        f"energy kept to {energy:.1e}, tolerance 1e-10, while temperatures"
+        f" change by {100*moved:.0f} %")

@@ -430,7 +430,8 @@ void Foam::NewtonKrylov::addDiffusion()
     const gasEquationOfState& eos = gas_.equationOfState();
     const double* primitive = gas_.primitive.data();
 
-    auto faces = [&](const label start, const label end)
+    auto faces =
+        [&](const label start, const label end, const bool slips = false)
     {
         for (label f = start; f < end; f++)
         {
@@ -440,7 +441,8 @@ void Foam::NewtonKrylov::addDiffusion()
             const double* qo = primitive + o*nVar;
             const double* qr = primitive + r*nVar;
 
-            const gasEquations::faceTransport t = gas_.transport(f);
+            gasEquations::faceTransport t = gas_.transport(f);
+            t.mu = slips ? 0 : t.mu;
             const double share = mesh.area[f]/mesh.normalDistance[f];
             const bool inner = f < mesh.nInternal();
 
@@ -465,13 +467,14 @@ void Foam::NewtonKrylov::addDiffusion()
     faces(0, mesh.nInternal());
     for (const gasMesh::patchRange& patch : mesh.patches())
     {
+        const bool slips = gas_.frictionless(patch.patchi);
         if
         (
             patch.coupled
-         || !(patch.image() || gas_.frictionless(patch.patchi))
+         || !(patch.image() || (slips && !gas_.fixesT(patch.patchi)))
         )
         {
-            faces(patch.start, patch.start + patch.size);
+            faces(patch.start, patch.start + patch.size, slips);
         }
     }
 }
