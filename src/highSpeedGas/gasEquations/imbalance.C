@@ -138,6 +138,26 @@ Foam::gasInflows Foam::gasEquations::inflows() const
 }
 
 
+Foam::scalar Foam::gasEquations::heatOfWalls() const
+{
+    scalar heat = 0;
+    for (const gasMesh::patchRange& patch : geometry_.patches())
+    {
+        const bool wall = !patch.coupled && !patch.image();
+        const label end = patch.start + (wall ? patch.size : 0);
+        for (label f = patch.start; f < end; f++)
+        {
+            const double T = primitive[geometry_.owner[f]*nVar_ + 1];
+            const double Tw = primitive[geometry_.far[f]*nVar_ + 1];
+            heat +=
+                transport(f).lambda*max(mag(Tw - T), 1e-3*Tw)
+               *geometry_.area[f]/geometry_.normalDistance[f];
+        }
+    }
+    return returnReduce(heat, sumOp<scalar>());
+}
+
+
 Foam::gasImbalance Foam::gasEquations::imbalance(const scalar bound) const
 {
     const int nDim = geometry_.nDim();
@@ -153,6 +173,7 @@ Foam::gasImbalance Foam::gasEquations::imbalance(const scalar bound) const
 
     scalar netMass = 0;
     scalar netEnthalpy = 0;
+    scalar gained = 0;
     scalar squares = 0;
 
     for (label c = 0; c < nCells; c++)
@@ -180,17 +201,20 @@ Foam::gasImbalance Foam::gasEquations::imbalance(const scalar bound) const
         b.nAbove += above;
         netMass += R[0];
         netEnthalpy += R[1];
+        gained += mag(R[1]);
     }
 
     const gasInflows in = inflows();
     reduce(netMass, sumOp<scalar>());
     reduce(netEnthalpy, sumOp<scalar>());
+    reduce(gained, sumOp<scalar>());
     reduce(b.nAbove, sumOp<label>());
     reduce(squares, sumOp<scalar>());
     b.mean = std::sqrt
     (
         squares/(3*returnReduce(scalar(nCells), sumOp<scalar>()))
     );
+    b.heat = viscous_ && !open_ ? gained/max(heatOfWalls(), VSMALL) : 0;
     if (in.leastMass == 0)
     {
         b.massBalance = 0;

@@ -28,7 +28,8 @@ bool Foam::steadySolution::gasSteady() const
     return
         imbalance_.value() <= settings_.residual
      && mag(imbalance_.massBalance) <= settings_.residual
-     && mag(imbalance_.enthalpyBalance) <= settings_.residual;
+     && mag(imbalance_.enthalpyBalance) <= settings_.residual
+     && imbalance_.heat <= maxHeat;
 }
 
 
@@ -281,6 +282,11 @@ void Foam::steadySolution::reportEnd(const scalar gain) const
             << "), " << imbalance_.largest[k] << "; the balance of mass is "
             << imbalance_.massBalance << ", that of total enthalpy "
             << imbalance_.enthalpyBalance << " of what flows in";
+        if (imbalance_.heat > maxHeat)
+        {
+            Info<< "; cells gain or lose " << imbalance_.heat << " of the heat"
+                << " that goes through the walls";
+        }
         if (equations_.turbulent())
         {
             Info<< "; the eddy viscosity changes by " << eddyChange_

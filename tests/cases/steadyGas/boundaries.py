@@ -1,7 +1,7 @@
 # parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """What boundaries decide in mode steady: a stream along an outer boundary is no
 layer of friction, and the mass of gas that is shut in is told; the shock of a
-ramp in time beside it. Stands in a folder of its own."""
+ramp in time beside it. Heat between plates. Stands in a folder of its own."""
 
 import re
 
@@ -75,23 +75,42 @@ for case, top, mode in (("along_zeroGradient", "zeroGradient", "steady"),
             f" bound {100*bound:g} %")
 
 # Gas that is shut in, and warmed by its walls
-case = "shut"
-write_case(case, {"endTime": 1, "deltaT": 1, "writeInterval": 1},
-           {"mode": "steady", "viscous": "yes"})
-write_block(case, box((0.01, 0.01, 0.01)), (4, 10, 1),
-            {"xMin": "cyclic", "xMax": "cyclic", "yMin": "wall",
-             "yMax": "wall"})
-for name, value in ("p", P), ("T", T), ("U", (0, 0, 0)):
-    wall = {"p": "type zeroGradient;", "U": "type noSlip;",
-            "T": "type fixedValue; value uniform 400;"}[name]
-    write_field(case, name, value, {
-        "xMin": "type cyclic;", "xMax": "type cyclic;", "yMin": wall,
-        "yMax": wall, "zMin": "type empty;", "zMax": "type empty;"})
-must(case, "blockMesh")
-log = solve(case)
-p, t = last_fields(case, "p T")
+
+
+def shut(case, cold, hot, condition, start=T, n=10):
+    write_case(case, {"endTime": 1, "deltaT": 1, "writeInterval": 1},
+               {"mode": "steady", "viscous": "yes"})
+    write_block(case, box((0.01, 0.01, 0.01)), (4, n, 1),
+                {"xMin": "cyclic", "xMax": "cyclic", "yMin": "wall",
+                 "yMax": "wall"})
+    for name, value in ("p", P), ("T", start), ("U", (0, 0, 0)):
+        walls = {"p": ["type zeroGradient;"]*2, "U": [f"type {condition};"]*2,
+                 "T": [f"type fixedValue; value uniform {t};"
+                       for t in (cold, hot)]}[name]
+        write_field(case, name, value, {
+            "xMin": "type cyclic;", "xMax": "type cyclic;", "yMin": walls[0],
+            "yMax": walls[1], "zMin": "type empty;", "zMax": "type empty;"})
+    must(case, "blockMesh")
+    return solve(case), *last_fields(case, "p T")
+
+
+log, p, t = shut("shut", 400, 400, "noSlip")
 gain = 100*((p/t).mean()/(P/T) - 1)
 told = re.search(r"its mass has changed by (\S+) %", log)
 verdict("shut_mass_is_told", told and abs(float(told[1]) - gain)
         < 1e-3*abs(gain), f"{told[1] if told else 'nothing'} % by the log,"
         f" {gain:.4g} % by the fields")
+
+# Between plates, from a start that is in balance but for the cells at them: the
+# integral of the conductivity over the temperature grows linearly
+COLD, HOT, N = 300.0, 400.0, 20
+nodes = np.linspace(COLD, HOT, 2001)
+mean = 0.5*(nodes[1:] + nodes[:-1])
+integral = np.append(0, np.cumsum(mean**1.5/(mean + 110.4)))
+exact = np.interp((np.arange(N) + 0.5)/N, integral/integral[-1], nodes)
+for condition in "noSlip", "slip":
+    log, p, t = shut("between_" + condition, COLD, HOT, condition, 350, N)
+    far = abs(t.reshape(N, 4)/exact[:, None] - 1).max()
+    verdict("heat_between_plates_" + condition,
+            "Gas: steady" in log and far < 1e-3, f"T differs by {far:.1e} from"
+            " that of conduction, bound 1e-3")
