@@ -514,10 +514,6 @@ void Foam::gasEquations::correctBoundary()
 
 void Foam::gasEquations::keepBoundary()
 {
-    if (!boundaryNeedsProperties_)
-    {
-        return;
-    }
     const label n = mesh_.boundary().size();
     kept_.U.setSize(n);
     kept_.T.setSize(n);
@@ -539,7 +535,7 @@ void Foam::gasEquations::keepBoundary()
 }
 
 
-void Foam::gasEquations::correctKeptBoundary()
+void Foam::gasEquations::restoreBoundary()
 {
     if (!boundaryNeedsProperties_)
     {
@@ -556,6 +552,17 @@ void Foam::gasEquations::correctKeptBoundary()
             thermo_.p().boundaryFieldRef()[i] == kept_.p[i];
         }
     }
+}
+
+
+void Foam::gasEquations::correctKeptBoundary()
+{
+    if (!boundaryNeedsProperties_)
+    {
+        correctBoundary();
+        return;
+    }
+    restoreBoundary();
     if (tauMC_.valid())
     {
         gradient_ = kept_.gradient;

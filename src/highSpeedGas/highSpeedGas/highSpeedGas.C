@@ -125,14 +125,31 @@ bool Foam::highSpeedGas::isStillSteady()
         findBlockAmongOthers(mesh_.solutionDict(), "highSpeedGas");
     if (entries && entries->found("feedback"))
     {
-        return true;    // The sources come later, and each round looks anew
+        return true;    // expectParticles() looks, with the sources
     }
+    return inBalance();
+}
 
+
+bool Foam::highSpeedGas::inBalance()
+{
+    // The values in the file are those of the conditions of an earlier run,
+    // and what this one goes on with if they are the same
+    equations_->keepBoundary();
+    equations_->settleBoundary();
     steadySolution solution(solutionTo(residual_));
     solution.judge();
+
     const scalar ofDigits = 1e-4;       // What a file with six may take
-    if (solution.imbalance().value() <= max(ofDigits, residual_))
+    if
+    (
+        solution.imbalance().value() <= max(ofDigits, residual_)
+     && solution.imbalance().heat <= 0.1
+    )
     {
+        equations_->restoreBoundary();
+        equations_->readFields(true);
+        publish(true);
         return true;
     }
     const label k = solution.imbalance().worst();
@@ -157,7 +174,9 @@ void Foam::highSpeedGas::setDeltaT(Time& runTime)
         equations_->readFields(true);
         equations_->validateTurbulence();
     }
-    if (!adjustsTimeStep_)
+    // (which may change while the run goes on)
+    const dictionary& control = runTime.controlDict();
+    if (!control.getOrDefault("adjustTimeStep", false))
     {
         return;
     }
@@ -361,6 +380,12 @@ void Foam::highSpeedGas::expectParticles(const bool act)
                 << exit(FatalIOError);
         }
         feedback_.reset(new steadyFeedback(*equations_, state_, *feedback));
+        const sigFpe::ignore untrapped;
+        if (steady_ && !inBalance())
+        {
+            steady_ = false;
+            feedback_->beginAnew();
+        }
     }
 }
 
@@ -398,6 +423,10 @@ bool Foam::highSpeedGas::solve()
             else
             {
                 steady = findSteadyState(residual_, false);
+                if (feedback_.valid())
+                {
+                    feedback_->takeFelt();
+                }
             }
             if (feedback_.valid())
             {

@@ -307,16 +307,7 @@ void Foam::steadyFeedback::compare
         reduce(sum, sumOp<scalar>());
     }
 
-    // What the gas has felt
-    forAll(power_, celli)
-    {
-        const scalar share =
-            equations_.sourceShare(geometry.cellOf[celli]);
-        force_[celli] *= share;
-        power_[celli] *= share;
-    }
-    equations_.setSources(force_.field(), power_.field());
-
+    takeFelt();
     scalar largest = 0;
     Info<< "Gas: in round " << round_ << " p, T, U have changed by";
     for (int k = 0; k < 3; k++)
@@ -344,6 +335,28 @@ void Foam::steadyFeedback::compare
             << ". A longer window, more parcels or a smaller relaxation may"
             << " help." << endl;
     }
+    store();
+}
+
+
+void Foam::steadyFeedback::takeFelt()
+{
+    forAll(power_, celli)
+    {
+        const scalar share =
+            equations_.sourceShare(equations_.geometry().cellOf[celli]);
+        force_[celli] *= share;
+        power_[celli] *= share;
+    }
+    equations_.setSources(force_.field(), power_.field());
+}
+
+
+void Foam::steadyFeedback::beginAnew()
+{
+    rests_ = false;
+    round_ = 0;
+    clearRound();
     store();
 }
 
