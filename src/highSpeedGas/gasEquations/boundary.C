@@ -2,8 +2,10 @@
     parcelImpact. License: GPL-3.0-or-later, see COPYING.
 \*---------------------------------------------------------------------------*/
 
+#include "endlessStep.H"
 #include "gasEquations.H"
 #include "basicSymmetryFvPatchFields.H"
+#include "mappedPatchBase.H"
 #include "surfaceInterpolate.H"
 #include "wallFvPatch.H"
 #include <algorithm>
@@ -18,9 +20,9 @@ const wordHashSet selfContained
 {
     "fixedValue", "zeroGradient", "slip", "noSlip", "symmetry",
     "symmetryPlane", "wedge", "empty", "calculated", "cyclic", "processor",
-    "processorCyclic", "cyclicAMI", "supersonicFreestream", "freestream",
-    "freestreamPressure", "freestreamVelocity", "inletOutlet",
-    "outletInlet", "uniformFixedValue", "fixedGradient"
+    "processorCyclic", "cyclicAMI", "freestream", "freestreamPressure",
+    "freestreamVelocity", "inletOutlet", "outletInlet", "uniformFixedValue",
+    "fixedGradient"
 };
 
 // Conditions whose velocity is the same at all times: of others that are
@@ -88,7 +90,7 @@ void Foam::gasEquations::checkCoupledConditions() const
 }
 
 
-void Foam::gasEquations::setPatches()
+void Foam::gasEquations::setPatches(const bool steady)
 {
     checkCoupledConditions();
 
@@ -158,6 +160,10 @@ void Foam::gasEquations::setPatches()
             isA<wallFvPatch>(fvp)
          || (ofFixedVelocity.found(Up.type()) && Up.type() != "fixedValue");
 
+        if (steady)
+        {
+            checkSteadyConditions(patchi);
+        }
         for
         (
             const word& type :
@@ -170,6 +176,9 @@ void Foam::gasEquations::setPatches()
         {
             boundaryNeedsProperties_ =
                 boundaryNeedsProperties_ || !selfContained.found(type);
+            readsAllCells_ =
+                readsAllCells_ || isA<mappedPatchBase>(fvp.patch())
+             || type.compare(0, 5, "coded") == 0;
         }
         needsStress = needsStress || Up.type() == "maxwellSlipU";
     }
@@ -463,24 +472,19 @@ void Foam::gasEquations::correctBoundary()
 {
     volScalarField& p = thermo_.p();
     volScalarField& T = thermo_.T();
-    const int nDim = geometry_.nDim();
+    const endlessStep step(mesh_.time(), marching_);
 
-    // The boundary conditions read the fields next to the boundary only
+    // Most boundary conditions read the fields next to the boundary only
+    for (label c = 0; readsAllCells_ && c < geometry_.nCells(); c++)
+    {
+        publishCell(c);
+    }
     for (const gasMesh::patchRange& patch : geometry_.patches())
     {
-        const label n = patch.image() ? 0 : patch.size;
+        const label n = patch.image() || readsAllCells_ ? 0 : patch.size;
         for (label f = patch.start; f < patch.start + n; f++)
         {
-            const label own = geometry_.owner[f];
-            const label c = geometry_.meshCell[own];
-            const double* q = &primitive[own*nVar_];
-            p[c] = q[0];
-            T[c] = q[1];
-            rho_[c] = q[0]/(eos_.R*q[1]);
-            for (int d = 0; d < nDim; d++)
-            {
-                U_[c][geometry_.direction(d)] = q[2 + d];
-            }
+            publishCell(geometry_.owner[f]);
         }
     }
 
@@ -537,11 +541,6 @@ void Foam::gasEquations::keepBoundary()
 
 void Foam::gasEquations::restoreBoundary()
 {
-    if (!boundaryNeedsProperties_)
-    {
-        correctBoundary();
-        return;
-    }
     for (const gasMesh::patchRange& patch : geometry_.patches())
     {
         if (!patch.coupled && !patch.image())

@@ -8,6 +8,22 @@
 #include "gradients.H"
 #include <algorithm>
 
+//- What the faces of a block are besides their values
+struct Foam::gasEquations::faceState
+{
+    //- Share in a shock and in a strong one, that in which cells are
+    //  uniform there, and whether a cell of the face is invalid
+    double shock[faceBlock::size];
+    double strong[faceBlock::size];
+    double flat[faceBlock::size];
+    double invalid[faceBlock::size];
+
+    //- Is any?
+    bool shocked;
+    bool anyInvalid;
+};
+
+
 namespace Foam
 {
 

@@ -47,7 +47,7 @@ static void refuseMisspelt(const dictionary& schemes)
         }
     }
     const dictionary& d = schemes.subDict("interpolationSchemes");
-    for (const word& key : d.toc())
+    for (const entry& e : d)
     {
         const word& key = e.keyword();
         if (e.keyword().isPattern())
@@ -239,6 +239,8 @@ Foam::gasEquations::gasEquations
     geometry_(mesh, swirls(U)),
     nVar_(geometry_.nDim() + 2),
     boundaryNeedsProperties_(false),
+    readsAllCells_(false),
+    marching_(false),
     transportKnown_(false),
     energyOffset_(0),
     lowestT_(0),
@@ -260,7 +262,7 @@ Foam::gasEquations::gasEquations
     setEquationOfState();
     setTransport();
     setSchemes(steady);
-    setPatches();
+    setPatches(steady);
     properties_.reset
     (
         new gasProperties(thermo_, eos_, energyOffset_, transportKnown_)

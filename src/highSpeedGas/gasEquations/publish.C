@@ -2,28 +2,36 @@
     parcelImpact. License: GPL-3.0-or-later, see COPYING.
 \*---------------------------------------------------------------------------*/
 
+#include "endlessStep.H"
 #include "gasEquations.H"
+
+void Foam::gasEquations::publishCell(const label c)
+{
+    const label celli = geometry_.meshCell[c];
+    const double* q = &primitive[c*nVar_];
+    thermo_.p()[celli] = q[0];
+    thermo_.T()[celli] = q[1];
+    rho_[celli] = q[0]/(eos_.R*q[1]);
+    for (int d = 0; d < geometry_.nDim(); d++)
+    {
+        U_[celli][geometry_.direction(d)] = q[2 + d];
+    }
+}
+
 
 void Foam::gasEquations::publish(const bool asWritten)
 {
     volScalarField& p = thermo_.p();
     volScalarField& T = thermo_.T();
-    const int nDim = geometry_.nDim();
 
-    forAll(p, c)
+    for (label c = 0; c < geometry_.nCells(); c++)
     {
-        const double* q = &primitive[geometry_.cellOf[c]*nVar_];
-        p[c] = q[0];
-        T[c] = q[1];
-        rho_[c] = q[0]/(eos_.R*q[1]);
-        for (int d = 0; d < nDim; d++)
-        {
-            U_[c][geometry_.direction(d)] = q[2 + d];
-        }
+        publishCell(c);
     }
 
     if (!asWritten)
     {
+        const endlessStep step(mesh_.time(), marching_);
         U_.correctBoundaryConditions();
         forAll(ofFlux_, patchi)
         {
@@ -38,7 +46,7 @@ void Foam::gasEquations::publish(const bool asWritten)
     }
 
     // Gradients for the pressure on the walls
-    if (nDim == 2)
+    if (geometry_.nDim() == 2)
     {
         gradients<2>();
     }
