@@ -91,6 +91,7 @@ fields(case, P, 600.0, 800.0, {
     "yMin": {"p": ZERO, "U": "type noSlip;",
              "T": "type mapped; interpolationScheme cell; setAverage false;"
              " average 0; value uniform 600;"}})
+edit(case, "constant/thermophysicalProperties", "As 1.458e-06", "As 1e-4")
 log = solve(case)
 copy_case(case, "mappedAgain")
 edit("mappedAgain", "system/controlDict", "endTime 1;", "endTime 2;")
