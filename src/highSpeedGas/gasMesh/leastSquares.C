@@ -4,6 +4,29 @@
 
 #include "gasMesh.H"
 
+Foam::symmTensor Foam::gasMesh::unseen
+(
+    const label c,
+    const std::vector<bool>& takesPart
+) const
+{
+    // A wall face alone gives a half. A row of cells whose centres lie off a
+    // line by less than a sixth of its width gives less than this
+    const scalar least = 0.1;
+
+    const spread neighbours(spreadOf(c, takesPart));
+    symmTensor sum(Zero);
+    for (int k = 0; k < nDim_; k++)
+    {
+        if (neighbours.ratio[k] < least)
+        {
+            sum += sqr(neighbours.across[k]);
+        }
+    }
+    return sum;
+}
+
+
 void Foam::gasMesh::setLeastSquares(const boolList& excluded)
 {
     std::vector<bool> takesPart(nFaces_, true);
@@ -59,10 +82,10 @@ void Foam::gasMesh::setLeastSquares(const boolList& excluded)
         if (m.xx() < small) m.xx() = 1;
         if (m.yy() < small) m.yy() = 1;
         if (m.zz() < small) m.zz() = 1;
-        if (det(m) < 1e-10*m.xx()*m.yy()*m.zz())
+        // Or nearly none: of most cells the determinant says that there are
+        if (det(m) < 0.05*pow3(max(cmptMax(d), scalar(1))))
         {
-            // All neighbours on one line that is not a coordinate axis
-            m += 1e-6*cmptMax(d)*symmTensor::I;
+            m += unseen(c, takesPart);
         }
 
         const symmTensor inverse(inv(m));

@@ -5,7 +5,7 @@
 #include "gasMesh.H"
 #include <Eigen/Eigenvalues>
 
-bool Foam::gasMesh::isFlat
+Foam::gasMesh::spread Foam::gasMesh::spreadOf
 (
     const label c,
     const std::vector<bool>& takesPart
@@ -33,16 +33,34 @@ bool Foam::gasMesh::isFlat
         }
     }
 
-    // (in ascending order; of a regular tetrahedron with one face on a wall
-    // the ratio is a quarter)
-    const way spread
+    // (in ascending order)
+    const Eigen::GeneralizedSelfAdjointEigenSolver<matrix> solver
     (
-        Eigen::GeneralizedSelfAdjointEigenSolver<matrix>
-        (
-            neighbours, faces, Eigen::EigenvaluesOnly
-        ).eigenvalues()
+        neighbours, faces
     );
-    return spread[0] < 0.1*spread[nDim_ - 1];
+    spread result;
+    for (int k = 0; k < nDim_; k++)
+    {
+        result.ratio[k] = solver.eigenvalues()[k];
+        for (int d = 0; d < nDim_; d++)
+        {
+            result.across[k][d] = solver.eigenvectors()(d, k);
+        }
+        result.across[k] = normalised(result.across[k]);
+    }
+    return result;
+}
+
+
+bool Foam::gasMesh::isFlat
+(
+    const label c,
+    const std::vector<bool>& takesPart
+) const
+{
+    // (of a regular tetrahedron with one face on a wall a quarter)
+    const spread neighbours(spreadOf(c, takesPart));
+    return neighbours.ratio[0] < 0.1*neighbours.ratio[nDim_ - 1];
 }
 
 
