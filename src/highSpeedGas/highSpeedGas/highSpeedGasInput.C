@@ -66,7 +66,10 @@ void Foam::highSpeedGas::refuseWhatIsNotSolved() const
             << exit(FatalIOError);
     }
 
-    for (const word name : {"fvOptions", "MRFProperties"})
+    for
+    (
+        const word name : {"fvOptions", "MRFProperties", "porosityProperties"}
+    )
     {
         for
         (
@@ -81,7 +84,8 @@ void Foam::highSpeedGas::refuseWhatIsNotSolved() const
                 {
                     FatalIOErrorInFunction(sources)
                         << "Entry " << e.keyword() << ": the gas takes no"
-                        << " sources or rotating zones from " << name << '.'
+                        << " sources, rotating or porous zones from " << name
+                        << '.'
                         << nl << "Set 'active no;' in it, or remove it"
                         << exit(FatalIOError);
                 }
