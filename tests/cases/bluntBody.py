@@ -5,7 +5,7 @@ region is like."""
 
 import numpy as np
 from caseTools import (GAMMA, R_GAS, last_fields, must, read_field, times_of,
-                       write_case, write_field, write_foam)
+                       wedge_point, write_case, write_field, write_foam)
 
 P, T, RADIUS = 26500.0, 223.25, 0.03
 SOUND = np.sqrt(GAMMA*R_GAS*T)
@@ -70,6 +70,47 @@ def mesh(case, body, cells, outer, last=90):
         + "\n".join(f"{name} {{ type {kind}; faces (({faces})); }}"
                     for name, (kind, faces) in patches.items()) + "\n);")
     return {name: kind for name, (kind, _) in patches.items()}
+
+
+def between(case, body, outer, cells, M):
+    """A steady case in a wedge: layers from the points (x, r) of a body, from
+    the axis on, to as many of the outer boundary."""
+    half = np.radians(2.5)
+
+    def at(point, side):
+        return wedge_point(point, side, half)
+
+    def line(curve, side):
+        return "(" + " ".join(at(point, side) for point in curve[-2:0:-1]) + ")"
+
+    write_case(case, {"endTime": 1, "deltaT": 1, "writeInterval": 1},
+               {"mode": "steady"})
+    write_foam(case, "system/blockMeshDict", f"""
+scale 1;
+vertices ({at(body[0], 0)} {at(outer[0], 0)} {at(outer[-1], 1)}
+    {at(body[-1], 1)} {at(outer[-1], -1)} {at(body[-1], -1)});
+blocks (hex (3 0 1 2 5 0 1 4) ({cells[0]} {cells[1]} 1)
+    simpleGrading (1 1 1));
+edges (polyLine 3 0 {line(body, 1)} polyLine 2 1 {line(outer, 1)}
+    polyLine 5 0 {line(body, -1)} polyLine 4 1 {line(outer, -1)});
+boundary
+(
+    body {{ type wall; faces ((0 3 5 0)); }}
+    inlet {{ type patch; faces ((1 2 4 1)); }}
+    outlet {{ type patch; faces ((2 3 5 4)); }}
+    front {{ type wedge; faces ((0 1 4 5)); }}
+    back {{ type wedge; faces ((0 1 2 3)); }}
+    axis {{ type empty; faces ((0 1 1 0)); }}
+);""")
+    must(case, "blockMesh")
+    sides = {"front": "type wedge;", "back": "type wedge;",
+             "axis": "type empty;", "outlet": "type zeroGradient;",
+             "body": "type zeroGradient;"}
+    for field, value in ("p", P), ("T", T), ("U", (M*SOUND, 0, 0)):
+        given = f"({M*SOUND!r} 0 0)" if field == "U" else repr(value)
+        write_field(case, field, value, dict(
+            sides, inlet=f"type fixedValue; value uniform {given};",
+            **({"body": "type slip;"} if field == "U" else {})))
 
 
 def prepare(case, body, cells, outer, M, gas=None, flux="HLLC",

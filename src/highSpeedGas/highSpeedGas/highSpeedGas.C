@@ -316,7 +316,9 @@ void Foam::highSpeedGas::align(shockAlignment& alignment)
                 << " iterations (maxIterations): there is no shock at rest"
                 << " that a mesh could follow" << nl
                 << "Layers can follow the detached shock of a blunt body. Look"
-                << " at the flow on the mesh as it was" << exit(FatalError);
+                << " at the flow on the mesh as it was, and where the warning"
+                << " above says: at sharp edges layers may be too coarse"
+                << exit(FatalError);
         }
         publish();
     };

@@ -149,11 +149,29 @@ void Foam::shockAlignment::findShock(const volScalarField& p)
         const label last = q.size() - 1;
 
         // The steepest fall of the pressure outwards, and the pressures some
-        // cells before and behind it
-        label steepest = 0;
+        // cells before and behind it. Next to an edge of the body a fall may
+        // be larger than that of each of the cells within the shock, but in
+        // proportion it is small (of a shock smeared out the parts are not)
+        scalar largest = 1;
+        const auto rise = [&](const label i)
+        {
+            return max(q[max(i - 2, 0)], q[i])/q[min(i + 4, last)];
+        };
         for (label i = 0; i < last; i++)
         {
-            if (q[i] - q[i + 1] > q[steepest] - q[steepest + 1])
+            largest = max(largest, rise(i));
+        }
+        label steepest = -1;
+        for (label i = 0; i < last; i++)
+        {
+            if
+            (
+                pow3(rise(i)) >= largest
+             && (
+                    steepest < 0
+                 || q[i] - q[i + 1] > q[steepest] - q[steepest + 1]
+                )
+            )
             {
                 steepest = i;
             }
@@ -419,8 +437,9 @@ void Foam::shockAlignment::move
     volVectorField& U
 )
 {
-    // As long as the place of the shock is in doubt it needs more room
-    const scalar width = max(bandWidth_, doubt_);
+    // As long as the place of the shock is in doubt it needs more room, but
+    // not all of it
+    const scalar width = max(bandWidth_, min(doubt_, scalar(1)));
     const scalar outer = max(outer_, 1 + width);
 
     const label n = layers_.columns().size();

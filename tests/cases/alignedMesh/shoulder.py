@@ -1,0 +1,33 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
+"""A flat-faced cylinder with a sharp shoulder: next to it the pressure at the
+wall falls by more per cell than in the shock, where no shock is; stands in a
+temporary folder."""
+
+import re
+
+import numpy as np
+from bluntBody import P, between, pitot
+from caseTools import GAMMA, R_GAS, last_fields, must, verdict
+
+MACH, CELLS, EDGE = 12, (60, 40), 0.2
+
+# From the axis along the face and round the shoulder, in radii
+length = np.linspace(0, 1 - EDGE + EDGE*np.pi/2, 402)
+turn = np.maximum(length - (1 - EDGE), 0)/EDGE
+body = np.column_stack([EDGE*(1 - np.cos(turn)), np.minimum(length, 1 - EDGE)
+                        + EDGE*np.sin(turn)])
+angle = np.linspace(0, np.pi/2, 402)
+outer = np.column_stack([1.5 - 3*np.cos(angle), 3*np.sin(angle)])
+
+between("shoulder", body, outer, CELLS, MACH)
+text = must("shoulder", "alignMeshToShock")
+bands = [float(band) for band in re.findall(r"Mesh: band of (\S+),", text)]
+p, t, U = (x.reshape(CELLS[1], CELLS[0], -1)
+           for x in last_fields("shoulder", "p T U"))
+nose = 0, -1
+MM = (U[nose]**2).sum()/(GAMMA*R_GAS*t[nose][0])
+rest = p[nose][0]*(1 + 0.2*MM)**3.5/(P*pitot(MACH)) - 1
+verdict("shoulder", "Mesh: follows the shock" in text and max(bands) < 0.5
+        and abs(rest) < 1e-3,
+        f"bands of {max(bands):g} and less, total pressure at the nose"
+        f" {100*rest:+.3f} % of Rayleigh's")
