@@ -306,9 +306,13 @@ void Foam::highSpeedGas::warnOfGamma
     {
         const dictionary* d =
             boundary.findDict(patch.name(), keyType::REGEX);
-        if (patch.coupled() || !d || !d->found("gamma"))
+        if
+        (
+            patch.coupled() || !d || !d->found("gamma")
+         || d->getOrDefault<word>("type", "") == "waveTransmissive"
+        )
         {
-            continue;
+            continue;   // or only the speed at which waves leave
         }
         const scalar given = d->get<scalar>("gamma");
         const scalar ofGas =

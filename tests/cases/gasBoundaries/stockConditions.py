@@ -167,6 +167,16 @@ for name, ends in CONDITIONS.items():
             f" 2.5 % (the schemes differ); restarted: {' '.join(different) or 'the same'};"
             f" two ranks {e:.1e}, bound 1e-10")
 
+# The speed of waves alone is no total pressure
+prepare("waveGamma", {OUT: {
+    "p": CONDITIONS["waveTransmissive"][OUT]["p"].replace(
+        f"gamma {GAMMA};", "gamma 1.3;")}}, "mode transient;")
+edit("waveGamma", "system/controlDict", f"endTime {END}", "endTime 1e-6")
+text = solve("waveGamma")
+verdict("gamma_of_waves", "Entry gamma" not in text,
+        "nothing said of the inflow" if "Entry gamma" not in text else
+        "warned of another total pressure")
+
 for name, more in OF_FLUX.items():
     # The flow to which the reservoir leads, from gas at rest
     ends = {IN: {**RESERVOIR, "U": f"type {name}; {more} value uniform"
