@@ -224,7 +224,7 @@ void Foam::highSpeedGas::checkGas(const fvMesh& mesh)
         {"Cv", "(0, 1e9) J/(kg K)"},
         {"mu", "[0, 1e3] Pa s, no gas"},
         {"Pr", "(0, 1e6]"},
-        {"As", "(0, 1] kg/(m s K^0.5), about 1e-6 for gases"},
+        {"As", "[0, 1] kg/(m s K^0.5), about 1e-6 for gases"},
         {"Ts", "[0, 1e5] K"}
     };
     IOobject io

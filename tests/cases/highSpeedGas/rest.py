@@ -1,10 +1,11 @@
 # parcelImpact. License: GPL-3.0-or-later, see COPYING.
-"""Gas at rest that is not in balance: round-off in its velocity stays so; stands
-in a folder of its own."""
+"""Gas at rest that is not in balance: round-off in its velocity stays so, and a
+viscosity of zero is none; stands in a folder of its own."""
 
 import numpy as np
 from caseTools import (box, copy_case, decompose, edit, last_fields, must,
-                       solve, verdict, write_block, write_case, write_field)
+                       same_bits, solve, verdict, write_block, write_case,
+                       write_field)
 
 N = 12
 rng = np.random.default_rng(3)
@@ -46,3 +47,13 @@ must(case, "reconstructPar")
 apart = abs(last_fields(case, "p")[0]/found[0] - 1).max()
 verdict("rank_without_cells", apart < 1e-12,
         f"p differs by {apart:.1e} from that of one rank, tolerance 1e-12")
+
+case = copy_case("rest0", "noViscosity")
+must(case, "rm", "-r", "3e-06")
+edit(case, "system/fvSolution", "viscous no;", "")
+edit(case, "constant/thermophysicalProperties", "As 1.458e-06", "As 0")
+inviscid = ", inviscid, " in solve(case)
+different = same_bits(case, "rest0", "3e-06")
+verdict("viscosity_of_zero", inviscid and not different,
+        "sutherland with As 0 is " + ("" if inviscid else "not ") + "inviscid"
+        + "".join(", another " + name for name in different))
