@@ -255,6 +255,7 @@ Foam::gasEquations::gasEquations
     invalid_(geometry_.nSlots(), 0),
     anyInvalid_(false),
     brokenFace_(-1),
+    coupled_(false),
     conserved(geometry_.nCells()*nVar_),
     primitive(geometry_.nSlots()*nVar_),
     rate(geometry_.nCells()*nVar_)
@@ -479,6 +480,7 @@ void Foam::gasEquations::receive
     const scalarField& energy
 )
 {
+    coupled_ = true;
     for (label c = 0; c < geometry_.nCells(); c++)
     {
         const label celli = geometry_.meshCell[c];
@@ -505,6 +507,7 @@ void Foam::gasEquations::setSources
     const scalarField& power
 )
 {
+    coupled_ = true;
     source_.assign(rate.size(), 0);
     sourcePressure_.resize(geometry_.nCells());
     for (label c = 0; c < geometry_.nCells(); c++)
@@ -577,8 +580,27 @@ void Foam::gasEquations::reportInvalidCells()
         const_cast<Time&>(time).writeNow();
     }
 
-    // The first rank that stops ends the others, whatever they are writing
-    returnReduce(true, andOp<bool>());
+    // The first rank that stops ends the others, whatever they are writing:
+    // all wait here
+    const label rank =
+        returnReduce
+        (
+            celli >= 0 ? Pstream::myProcNo() : Pstream::nProcs(),
+            minOp<label>()
+        );
+    const point place
+    (
+        returnReduce
+        (
+            rank == Pstream::myProcNo() ? mesh_.C()[celli] : point(Zero),
+            sumOp<point>()
+        )
+    );
+    OStringStream where;
+    if (rank < Pstream::nProcs())
+    {
+        where << " The cell at " << place << " has no possible gas.";
+    }
     FatalErrorInFunction
         << "The gas solution broke down at time " << time.timeName()
         << (
@@ -586,14 +608,15 @@ void Foam::gasEquations::reportInvalidCells()
              ? "; the last good fields are written there."
              : ", whose files stay as they were."
            )
+        << where.str().c_str()
         << " Where warnings above name patches mend those first. A smaller"
         << " maxCo, a finer mesh or a more robust limiter (Minmod, upwind) may"
         << " help"
         << (
-               source_.empty()
-             ? "."
-             : ", or a shorter time step, sourceSmoothing or, in steady gas, a"
+               coupled_
+             ? ", or a shorter time step, sourceSmoothing or, in steady gas, a"
                " smaller relaxation in feedback."
+             : "."
            )
         << exit(FatalError);
 }

@@ -84,7 +84,8 @@ def stops(name, case, *words, ranks=1, near=AT):
     reason = complaint(text)
     good = (status != 0 and "The gas solution broke down at time" in text
             and "sigFpe" not in text)
-    for word in ("Gas: cell ", " at (", " at time ", *words):
+    for word in ("Gas: cell ", " at (", " at time ", " has no possible gas.",
+                 *words):
         if word not in text:
             good, reason = False, reason + f"; does not say {word!r}"
     if good:
