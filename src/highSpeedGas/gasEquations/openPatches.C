@@ -271,7 +271,14 @@ void Foam::gasEquations::reportOpenPatches(const bool steady) const
                 << "A shock stands at " << 100*shocked/all << " % of patch "
                 << mesh_.boundary()[patch.patchi].name()
                 << ", through which gas comes in faster than sound. The patch"
-                << " must lie farther out, before the shock" << endl;
+                << " must lie farther out, before the shock"
+                << (
+                       shocked > 0.9*all
+                     ? ", unless the gas that was inside at the start throws"
+                       " the stream back: start from the stream then"
+                     : ""
+                   )
+                << endl;
         }
         if (choked > 0.01*all)
         {

@@ -4,6 +4,57 @@
 
 #include "gasEquations.H"
 
+namespace
+{
+
+using namespace Foam;
+
+//- Whether gas (p, T and velocity) sends a shock back into a supersonic stream
+//  that runs into it
+bool throwsBack
+(
+    const gasEquationOfState& eos,
+    const int nVar,
+    const double* stream,
+    const double* q
+)
+{
+    const auto gammaOf = [&](const double T)
+    {
+        const double aa =
+            eos.thermallyPerfect()
+          ? eos.soundSpeedSqr<true>(T)
+          : eos.soundSpeedSqr<false>(T);
+        return aa/(eos.R*T);
+    };
+    double uu = 0;
+    double along = 0;
+    for (int k = 2; k < nVar; k++)
+    {
+        uu += sqr(stream[k]);
+        along += stream[k]*q[k];
+    }
+
+    // With a shock at rest in the stream: does the gas behind it run into that
+    // inside, brought to the same pressure? Then the shock does not rest
+    const double u = std::sqrt(uu);
+    const double gamma = gammaOf(stream[1]);
+    const double MM = uu/(gamma*eos.R*stream[1]);
+    const double p = stream[0]*(1 + 2*gamma/(gamma + 1)*(MM - 1));
+    const double behind = u*((gamma - 1)*MM + 2)/((gamma + 1)*MM);
+
+    const double g = gammaOf(q[1]);
+    const double RT = eos.R*q[1];
+    const double change =
+        p > q[0]
+      ? (p - q[0])*std::sqrt(2*RT/(q[0]*((g + 1)*p + (g - 1)*q[0])))
+      : 2*std::sqrt(g*RT)/(g - 1)*(std::pow(p/q[0], 0.5*(g - 1)/g) - 1);
+    return along/u + change < behind;
+}
+
+} // End anonymous namespace
+
+
 bool Foam::gasEquations::supersonicStream
 (
     scalar& largestMach,
@@ -47,6 +98,72 @@ bool Foam::gasEquations::supersonicStream
     reduce(largestMach, maxOp<scalar>());
     reduce(leastPitot, minOp<scalar>());
     return nSubsonic == 0 && largestMach > 0;
+}
+
+
+void Foam::gasEquations::beginFromStream()
+{
+    scalar streamMach;
+    scalar pitot;
+    if (!supersonicStream(streamMach, pitot))
+    {
+        return;
+    }
+
+    // The mean stream, and whether gas in its way throws it back
+    scalarList stream(nVar_, Zero);
+    scalar area = 0;
+    scalar opposed = 0;
+    for (const gasMesh::patchRange& patch : geometry_.patches())
+    {
+        const bool shut = patch.coupled || patch.image();
+        const label end = patch.start + (shut ? 0 : patch.size);
+        for (label f = patch.start; f < end; f++)
+        {
+            const double* inside = &primitive[geometry_.owner[f]*nVar_];
+            const double* q = &primitive[geometry_.far[f]*nVar_];
+            double a;
+            if (outwardSpeed(f, q, a) < -a)
+            {
+                const scalar S = geometry_.area[f];
+                area += S;
+                opposed += throwsBack(eos_, nVar_, q, inside) ? S : 0;
+                for (int k = 0; k < nVar_; k++)
+                {
+                    stream[k] += S*q[k];
+                }
+            }
+        }
+    }
+    reduce(area, sumOp<scalar>());
+    reduce(opposed, sumOp<scalar>());
+    Pstream::listCombineGather(stream, plusEqOp<scalar>());
+    Pstream::listCombineScatter(stream);
+    if (opposed <= 0.5*area)
+    {
+        return;
+    }
+    for (scalar& value : stream)
+    {
+        value /= area;
+    }
+
+    label nCells = 0;
+    for (label c = 0; c < geometry_.nCells(); c++)
+    {
+        double* q = &primitive[c*nVar_];
+        if (throwsBack(eos_, nVar_, stream.begin(), q))
+        {
+            nCells++;
+            std::copy(stream.begin(), stream.end(), q);
+        }
+    }
+    std::fill(gradient_.begin(), gradient_.end(), 0);
+    conserveFromPrimitive();
+    correctBoundary();
+    reduce(nCells, sumOp<label>());
+    Info<< "Gas: begins as the stream in " << nCells << " cells, whose gas"
+        << " would throw the stream back through the inlet" << endl;
 }
 
 

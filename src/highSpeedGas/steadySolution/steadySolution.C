@@ -337,6 +337,10 @@ bool Foam::steadySolution::solve(const bool near)
     const scalar massBefore = equations_.mass();
     Info<< "Gas: looking for the steady state" << endl;
     setSchemes();
+    if (!near)
+    {
+        equations_.beginFromStream();
+    }
 
     if (settings_.implicit)
     {

@@ -2,6 +2,7 @@
 """Starts from the undisturbed stream; stands in a folder with the prepared
 case 'half'."""
 
+import bluntBody
 import numpy as np
 from bluntBody import P, SOUND, T, pitot
 from caseTools import (GAMMA, R_GAS, box, comes_to_rest, complaint, copy_case,
@@ -58,6 +59,31 @@ for flux in FLUXES:
                 writeInterval=1)
         trouble = survives(case, mach)
         verdict(case, not trouble, trouble or "started")
+
+# Gas at rest that throws the stream back, above the pressure to which that
+# comes to rest and below, ends as the gas that begins as the stream
+sides = {"axis": "type symmetryPlane;", "front": "type empty;",
+         "back": "type empty;", "outlet": "type zeroGradient;"}
+ends = []
+for case, pressure in ("stream", 0), ("dense", 1.3), ("cold", 0.5):
+    bluntBody.prepare(case, "half", (40, 30), 4, 6)
+    for name, value, inside in (
+            ("p", P, pressure*pitot(6)*P), ("T", T, 300.0),
+            ("U", (6*SOUND, 0, 0), (0, 0, 0))):
+        body = "type slip;" if name == "U" else "type zeroGradient;"
+        given = (f"({6*SOUND!r} 0 0)" if name == "U" else repr(float(value)))
+        write_field(case, name, inside if pressure else value, {
+            **sides, "body": body,
+            "inlet": f"type fixedValue; value uniform {given};"})
+    status, text = run(case, "rhoCentralParcelFoam")
+    good = not status and "Gas: steady" in text
+    ends += [last_fields(case, "p")[0] if good else np.full(1200, np.nan)]
+    if pressure:
+        apart = abs(ends[-1]/ends[0] - 1).max()
+        verdict("rest_at_" + case, apart < 1e-5,
+                f"{pressure} of the pitot pressure: p within {apart:.1e},"
+                " tolerance 1e-5" if good else complaint(text))
+
 
 def shake(case, share, seed=1):
     """Move the points of a plane mesh by up to a share of the way to their
