@@ -34,8 +34,8 @@ def bend(case):
 def prepare(case):
     write_case(case, {"endTime": 1, "deltaT": 1, "writeInterval": 1,
                       "writeFormat": "ascii"},
-               {"mode": "steady", "viscous": "yes"}, flux="Kurganov",
-               limiter="vanLeer")
+               {"mode": "steady", "viscous": "yes", "residual": 1e-7},
+               flux="Kurganov", limiter="vanLeer")
     write_block(case, box((LENGTH, HEIGHT, 0.01)), (NX, NY, 1),
                 {"xMin": "patch", "xMax": "patch", "yMin": "wall",
                  "yMax": "patch"}, "(1 60 1)")
