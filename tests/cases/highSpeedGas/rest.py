@@ -38,6 +38,28 @@ edit(case, "system/fvSchemes", "reconstruct vanAlbada", '"reconstruct.*" upwind'
 said = solve(case)
 verdict("patterns_are_keys", "limiter upwind" in said, "upwind by a pattern")
 
+# The choice of the time step may change while the run goes on
+case = copy_case("rest0", "changing")
+must(case, "rm", "-r", "3e-06")
+edit(case, "system/controlDict", "runTimeModifiable no;", """
+runTimeModifiable yes;
+OptimisationSwitches { fileModificationSkew 0; }
+functions
+{
+    change
+    {
+        type timeActivatedFileUpdate; libs (utilityFunctionObjects);
+        fileToUpdate "<case>/system/controlDict";
+        timeVsFile ((-1 "<case>/system/first") (1e-6 "<case>/system/later"));
+    }
+}""")
+for name, entry in ("first", "no"), ("later", "yes"):
+    must(case, "cp", "system/controlDict", f"system/{name}")
+    with open(f"{case}/system/{name}", "a") as file:
+        file.write(f"adjustTimeStep {entry}; maxCo 0.01;\n")
+steps = solve(case).count("\nTime = ")
+verdict("time_step_by_later_choice", steps > 4, f"{steps} steps, 3 without")
+
 # A rank without cells
 case = copy_case("rest0", "idleRank")
 must(case, "rm", "-r", "3e-06")

@@ -300,6 +300,7 @@ TEST(fluxes, ofAThermallyPerfectGasWithConstantHeatAreThoseOfTheOther)
     {
         EXPECT_NEAR(table.temperature<true>(air().cv*T, 300)/T, 1, 1e-12);
     }
+    EXPECT_NEAR(table.energy<true>(1e15)/(air().cv*1e15), 1, 1e-12);
 }
 
 
