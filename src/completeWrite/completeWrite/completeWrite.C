@@ -11,8 +11,10 @@
 #include "HashSet.H"
 #include "SHA1.H"
 #include "checked.H"
+#include "cloud.H"
 #include "fastNumberOutput.H"
 #include "finishFile.H"
+#include "polyMesh.H"
 #include "processorTime.H"
 
 #include <algorithm>
@@ -156,15 +158,11 @@ static fileName markFolder(const Time& runTime, const word& timeName)
 static void refuseCollated()
 {
     const word handler(fileHandler().type());
-    if
-    (
-        Pstream::parRun()
-     && (handler == "collated" || handler == "hostCollated")
-    )
+    if (Pstream::parRun() && handler != "uncollated")
     {
         FatalErrorInFunction
-            << "Files of all ranks together (fileHandler " << handler
-            << ") cannot be marked as written to their end." << nl
+            << "Files that ranks write or read together (fileHandler "
+            << handler << ") cannot be marked as written to their end." << nl
             << "Decompose and run without it, or with -fileHandler uncollated"
             << exit(FatalError);
     }
@@ -256,6 +254,20 @@ void Foam::completeWrite::begin(const Time& runTime)
     OFstream mark(folder/"incomplete");
     mark<< "being written" << endl;
     finishFile(mark);
+
+    // A cloud without parcels writes no files: those of a run before would stay
+    for (const polyMesh* mesh : runTime.lookupClass<polyMesh>())
+    {
+        for (const word& name : mesh->lookupClass<cloud>().toc())
+        {
+            rmDir
+            (
+                runTime.path()/runTime.timeName()/mesh->dbDir()/cloud::prefix
+               /name,
+                true
+            );
+        }
+    }
 }
 
 

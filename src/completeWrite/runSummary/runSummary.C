@@ -20,7 +20,7 @@ namespace
 {
 
 //- A cell of a table
-std::string cell(const Foam::scalar number, const int decimals)
+std::string padded(const Foam::scalar number, const int decimals)
 {
     std::ostringstream text;
     text<< std::fixed << std::setprecision(decimals) << number;
@@ -56,8 +56,8 @@ std::string Foam::runSummary::timeTable() const
     for (std::size_t i = 0; i < names.size(); ++i)
     {
         text<< std::left << std::setw(32) << "    " + names[i] << std::right
-            << std::setw(12) << cell(times[i], 3) << std::setw(9)
-            << cell(100*times[i]/std::max(all, SMALL), 1) << " %\n";
+            << std::setw(12) << padded(times[i], 3) << std::setw(9)
+            << padded(100*times[i]/std::max(all, SMALL), 1) << " %\n";
     }
     return text.str();
 }
@@ -81,11 +81,11 @@ std::string Foam::runSummary::particleTable() const
         text<< std::left << std::setw(20) << "    " + b.name << std::right;
         for (const scalar n : {b.start, b.injected, b.inFlight})
         {
-            text<< std::setw(11) << cell(n, 0);
+            text<< std::setw(11) << padded(n, 0);
         }
         for (const scalar n : {b.escaped, b.stuck, b.lost()})
         {
-            text<< std::setw(11) << (b.fatesKnown ? cell(n, 0) : "unknown");
+            text<< std::setw(11) << (b.fatesKnown ? padded(n, 0) : "unknown");
         }
         text<< '\n';
     }
@@ -165,7 +165,7 @@ std::string Foam::runSummary::rankTable() const
             std::to_string(rank),
             [&](const std::size_t k)
             {
-                return cell(columns[k][rank], decimals[k]);
+                return padded(columns[k][rank], decimals[k]);
             }
         );
     }
@@ -174,7 +174,7 @@ std::string Foam::runSummary::rankTable() const
         "most over mean",
         [&](const std::size_t k)
         {
-            return cell(max(columns[k])/max(average(columns[k]), SMALL), 2);
+            return padded(max(columns[k])/max(average(columns[k]), SMALL), 2);
         }
     );
     return text.str();

@@ -276,6 +276,8 @@ void Foam::lagrangianFile::write
     const geometry& particles
 )
 {
+    // Without particles there are no files: those of a run before would stay
+    rmDir(file(mesh, cloud, "", IOobject::NO_READ).path(), true);
     for (const word& name : {coordinatesName, positionsName})
     {
         geometryFile
