@@ -85,6 +85,48 @@ Foam::label Foam::cellLocator::find(const point& p, const label nodei) const
 }
 
 
+void Foam::cellLocator::near
+(
+    const point& p,
+    const label nodei,
+    label& celli
+) const
+{
+    const auto holds = [&p](boundBox box)
+    {
+        box.inflate(1e-8);
+        return box.contains(p);
+    };
+    const node& n = nodes_[nodei];
+    if (!holds(n.box))
+    {
+        return;
+    }
+    if (n.second != -1)
+    {
+        near(p, nodei + 1, celli);
+        near(p, n.second, celli);
+        return;
+    }
+    const auto distance = [&](const label i)
+    {
+        return magSqr(mesh().cellCentres()[i] - p);
+    };
+    for (label i = n.begin; i < n.end; ++i)
+    {
+        const label other = cells_[i];
+        if
+        (
+            holds(boxes_[i])
+         && (celli < 0 || distance(other) < distance(celli))
+        )
+        {
+            celli = other;
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::cellLocator::cellLocator(const polyMesh& mesh)
@@ -133,6 +175,17 @@ Foam::cellLocator::cellLocator(const polyMesh& mesh)
 Foam::label Foam::cellLocator::find(const point& p) const
 {
     return nodes_.empty() ? -1 : find(p, 0);
+}
+
+
+Foam::label Foam::cellLocator::near(const point& p) const
+{
+    label celli = -1;
+    if (!nodes_.empty())
+    {
+        near(p, 0, celli);
+    }
+    return celli;
 }
 
 

@@ -6,6 +6,7 @@
 #include "checked.H"
 #include "cellLocator.H"
 #include "IOField.H"
+#include "pastWrite.H"
 #include "stockCloudEntries.H"
 
 #include <cmath>
@@ -131,8 +132,12 @@ void Foam::IdentifiedInjection<CloudType>::locate
             }
             if (attempt > 0 && mesh.nCells())
             {
-                const label nearest = mesh.findNearestCell(p);
-                p += 1e-9*(mesh.cellCentres()[nearest] - p);
+                const label near = locator.near(p);
+                if (near < 0)
+                {
+                    continue;
+                }
+                p += 1e-9*(mesh.cellCentres()[near] - p);
             }
             parcel.cell = locator.find(p);
             if (parcel.cell >= 0)
@@ -241,7 +246,14 @@ void Foam::IdentifiedInjection<CloudType>::setIdentities(const sequence past)
     string before;
     this->getBaseProperty("models", before);
     usedBefore_ = this->template getModelProperty<label>("used", -1);
-    if (past == sequence::continued && (before.empty() || before == models_))
+
+    // A model that begins after the restart has those of the unbroken run
+    const bool begins = !before.empty() && usedBefore_ < 0;
+    if
+    (
+        (past == sequence::continued || begins)
+     && (before.empty() || before == models_)
+    )
     {
         base_ = this->template getModelProperty<label>("base");
         first_ = this->template getModelProperty<label>("first");
@@ -356,6 +368,15 @@ void Foam::IdentifiedInjection<CloudType>::postInjectCheck
 
 
 template<class CloudType>
+void Foam::IdentifiedInjection<CloudType>::info(FOAM_COMPAT_INFO_ARGS)
+{
+    // What has been given is about to be stored: with these parcels
+    pastWrite::catchUp(this->owner().mesh(), this->owner());
+    InjectionModel<CloudType>::info(FOAM_COMPAT_INFO_PASS);
+}
+
+
+template<class CloudType>
 Foam::scalar Foam::IdentifiedInjection<CloudType>::setNumberOfParticles
 (
     const label parcels,
@@ -393,6 +414,22 @@ Foam::IdentifiedInjection<CloudType>::IdentifiedInjection
         owner.constProps().dict(), "rho0", owner.constProps().rho0(),
         validRange::density
     );
+
+    const Vector<label>& solved = owner.mesh().solutionD();
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (solved[d] < 0 && U0_[d] != 0)
+        {
+            refuse
+            (
+                this->coeffDict(), "U0", U0_,
+                "without a component across the plane of the mesh"
+            );
+        }
+    }
+
+    // Clouds of function objects move when the directory has been written
+    pastWrite::of(owner.mesh());
 
     const wordList models
     (
