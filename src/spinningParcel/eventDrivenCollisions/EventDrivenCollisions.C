@@ -411,12 +411,16 @@ void Foam::EventDrivenCollisions<CloudType>::info()
         returnReduce(report_.deepestOverlap, maxOp<scalar>());
     if (overlap > deepest_)
     {
-        const auto& d = arrays().d;
-        const scalar smallest = returnReduce
-        (
-            d.empty() ? VGREAT : *std::min_element(d.begin(), d.end()),
-            minOp<scalar>()
-        );
+        scalar smallest = VGREAT;
+        for (const scalar d : arrays().d)
+        {
+            smallest = min(smallest, d);
+        }
+        for (const parcelType& p : cloud_.objects())
+        {
+            smallest = min(smallest, p.d());
+        }
+        reduce(smallest, minOp<scalar>());
         const scalar bound = 1e-3*smallest;
         if (deepest_ <= bound && overlap > bound)
         {

@@ -110,8 +110,14 @@ void Foam::EventDrivenCollisions<CloudType>::collide
         {
             ++report_.pairEvents;
             report_.rankPairs += a.home.rank != b.home.rank;
-            report_.restitutionLoss += out.restitutionLoss;
-            report_.frictionLoss += out.frictionLoss;
+
+            // Of all particles of the parcels; the mean of two that differ
+            const scalar number =
+                a.held || b.held
+              ? max(aThen.number, bThen.number)
+              : 0.5*(aThen.number + bThen.number);
+            report_.restitutionLoss += number*out.restitutionLoss;
+            report_.frictionLoss += number*out.frictionLoss;
         }
         aThen.heat = bThen.heat = 0.5*(out.restitutionLoss + out.frictionLoss);
         aThen.U = fromCore(out.v1);

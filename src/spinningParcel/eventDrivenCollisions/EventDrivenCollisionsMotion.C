@@ -345,7 +345,7 @@ template<class CloudType>
 bool Foam::EventDrivenCollisions<CloudType>::hold(flight& f, mission& m)
 {
     parcelType& p = *f.parcel;
-    m.energy = 0.5*p.mass()*magSqr(p.U());
+    m.energy = 0.5*p.nParticle()*p.mass()*magSqr(p.U());
     p.U() = Zero;
     m.begun = true;
     m.boundary = false;

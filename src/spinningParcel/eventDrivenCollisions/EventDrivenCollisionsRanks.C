@@ -196,6 +196,7 @@ Foam::EventDrivenCollisions<CloudType>::answer(const request& r)
     out.m.U = f.parcel->U();
     out.m.omega = f.parcel->omega();
     out.m.mass = f.parcel->mass();
+    out.m.number = f.parcel->nParticle();
     out.m.keep = f.keep;
     return out;
 }
