@@ -8,6 +8,7 @@
 #include "NonInertialFrameForce.H"
 #include "StochasticDispersion.H"
 #include "SRFForce.H"
+#include "stepToFace.H"
 #include "stockCloudEntries.H"
 #include "wallImpacts.H"
 #include "withheldOutput.H"
@@ -22,6 +23,16 @@ void Foam::SpinningCloud<CloudType>::setModels()
     (
         solution, {"rotation", "motion", "collisions", "heatTransfer"}
     );
+    if (this->solution().coupled() && this->solution().steadyState())
+    {
+        refuse
+        (
+            solution, "coupled", "yes", "no with transient no: parcels of a"
+            " steady track are particles per second, the sources those of a"
+            " step. In a steady gas the block feedback of constant/"
+            "highSpeedGasDict closes the coupling with transient yes"
+        );
+    }
     // What heat transfer reads may stay where it is switched off, but not
     // where nothing would read it
     wordList properties({"omega0"});
@@ -102,7 +113,14 @@ void Foam::SpinningCloud<CloudType>::setModels()
         wallImpacts::New(*this).setMaterial(heat_->material());
         Info<< "Selecting heat transfer model " << heat_->law() << endl;
     }
-    else if (this->subModelProperties().found("heatTransferModel"))
+    else if
+    (
+        this->subModelProperties().isDict("heatTransferModel")
+     || this->subModelProperties().template getOrDefault<word>
+        (
+            "heatTransferModel", "none"
+        ) != "none"
+    )
     {
         // Right or refused, though switched off
         heatTransfer(this->particleProperties(), this->mesh());
@@ -429,7 +447,7 @@ void Foam::SpinningCloud<CloudType>::info()
 
     CloudType::info();
 
-    FixedList<scalar, 9> sums;
+    FixedList<scalar, 12> sums;
     sums[0] = rotationalEnergyOfSystem();
     sums[1] = counts_.magnus;
     sums[2] = counts_.magnusOutside;
@@ -439,6 +457,9 @@ void Foam::SpinningCloud<CloudType>::info()
     sums[6] = statistics_.nForces;
     sums[7] = statistics_.nForced;
     sums[8] = statistics_.nPauses;
+    sums[9] = statistics_.nSlides;
+    sums[10] = statistics_.time;
+    sums[11] = statistics_.forcedTime;
     for (scalar& sum : sums)
     {
         reduce(sum, sumOp<scalar>());
@@ -498,6 +519,21 @@ void Foam::SpinningCloud<CloudType>::info()
             << "    Most forces between two faces   = " << maxForces << nl
             << "    uncontrolled, at rest           = " << sums[7] << ", "
             << sums[8] << nl;
+        if (sums[9] > 0)
+        {
+            Info<< "    Ways along faces between cells  = " << sums[9] << nl;
+        }
+        if (sums[11] > 0.01*sums[10] && !warnedOfForced_)
+        {
+            warnedOfForced_ = true;
+            WarningInFunction
+                << 100*sums[11]/sums[10] << " % of the time of the parcels of "
+                << this->name() << " has been followed without error control: "
+                << stepToFace::maxForces << " evaluations of the forces between"
+                << " two faces of cells were not enough" << nl
+                << "    Set a larger tolerance of the motion, or a smaller"
+                << " deltaT" << endl;
+        }
     }
     if (eddies_.valid())
     {

@@ -561,6 +561,7 @@ void Foam::cellGas::update
             f.minima[2] = 0.5*f.value.T;
         }
         bindWalls(U);
+        lookBeyond();
         return;
     }
 
@@ -633,6 +634,7 @@ void Foam::cellGas::change
             f.minima[2] = std::min(f.minima[2], 0.5*f.value.T);
         }
         bindWalls(U);
+        lookBeyond();
         return;
     }
 

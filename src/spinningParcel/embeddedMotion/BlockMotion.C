@@ -45,11 +45,12 @@ void Foam::BlockMotion<CloudType, Force>::take(const int i, const label at)
     f.at = at;
     cell_[i] = parcels_.cell[at];
     impact::motionLanes::set(block_.now.x, i, toCore(parcels_.x[at]));
-    enter(i);
     f.begin = 0;
     f.over = false;
     f.nForces = 0;
     f.stalls = 0;
+    f.face = -1;
+    enter(i);
 
     block_.sphere(i, parcels_.d[at], parcels_.rho[at]);
     block_.hTry[i] = GREAT;
@@ -181,6 +182,48 @@ void Foam::BlockMotion<CloudType, Force>::exchange
 
 
 template<class CloudType, class Force>
+bool Foam::BlockMotion<CloudType, Force>::slide
+(
+    const int i,
+    const label place,
+    const label next,
+    const scalar k
+)
+{
+    flyer& f = flyers_[i];
+    cellGas::field here, there;
+    const cellGas::field& a = cloud_.gas().at(cell_[i], here);
+    const cellGas::field& b = cloud_.gas().at(next, there);
+    const impact::vector3 n = cells_.normal(place);
+    impact::vector3 x(impact::motionLanes::of(block_.now.x, i));
+    const impact::vector3 eddy =
+        eddies_
+      ? impact::motionLanes::of(block_.now.eddy, i)
+      : impact::vector3{0, 0, 0};
+    State state(begin(i));
+    if (!faceSlide::holds(n, a, b, x, eddy, state.v, k))
+    {
+        f.face = -1;
+        return false;
+    }
+
+    state.v = state.v - impact::dot(n, state.v)*n;
+    x = x - cells_.heightAbove(place, x)*n;
+    impact::motionLanes::set(block_.now.x, i, x);
+    impact::motionLanes::set(block_.now.v, i, state.v);
+    cloud_.statistics().nSlides += f.face != place;
+    f.face = place;
+    force_.sphere(parcels_.d[f.at], parcels_.rho[f.at]);
+    if (eddies_)
+    {
+        force_.eddy(eddy);
+    }
+    along_[i] = faceSlide::along(n, a, b, x, eddy, state, force_);
+    return true;
+}
+
+
+template<class CloudType, class Force>
 void Foam::BlockMotion<CloudType, Force>::follow(const int i)
 {
     flyer& f = flyers_[i];
@@ -242,6 +285,10 @@ void Foam::BlockMotion<CloudType, Force>::follow(const int i)
         }
         end.x = impact::multiply(moving_, end.x);
     }
+    if (o.forced)
+    {
+        statistics.forcedTime += t;
+    }
     x = x + end.x;
     if (place >= 0)
     {
@@ -256,6 +303,9 @@ void Foam::BlockMotion<CloudType, Force>::follow(const int i)
     {
         block_.now.enthalpy[i] = end.h;
     }
+    const label face = place >= 0 ? place : f.face;
+    const label next = face >= 0 ? cells_.behind(face, x) : -1;
+    const bool slides = face >= 0 && slide(i, face, next, o.k);
     if (heated || coupled_)
     {
         exchange(i, state, o, t);
@@ -264,10 +314,13 @@ void Foam::BlockMotion<CloudType, Force>::follow(const int i)
     f.begin =
         place >= 0 || t < left ? min(f.begin + t/trackTime_, scalar(1)) : 1;
     f.stalls = t < 1e-9*trackTime_ ? f.stalls + 1 : 0;
+    if (face >= 0)
+    {
+        cell_[i] = place >= 0 && !slides ? next : cell_[i];
+        enter(i);
+    }
     if (place >= 0)
     {
-        cell_[i] = cells_.behind(place, x);
-        enter(i);
         statistics.maxForces =
             max(statistics.maxForces, scalar(f.nForces));
         f.nForces = 0;
@@ -324,6 +377,19 @@ void Foam::BlockMotion<CloudType, Force>::advance(const int n)
             impact::mag(impact::motionLanes::of(block_.now.v, i)),
             impact::mag(impact::motionLanes::of(block_.here.u, i))
         );
+        if (flyers_[i].face >= 0)
+        {
+            block_.hMax[i] = min
+            (
+                block_.hMax[i],
+                faceSlide::longest
+                (
+                    *block_.now.gas[i],
+                    impact::motionLanes::of(block_.now.v, i),
+                    impact::motionLanes::of(block_.here.u, i)
+                )
+            );
+        }
     }
     block_.end(n);
 
@@ -397,6 +463,7 @@ void Foam::BlockMotion<CloudType, Force>::move(const Rest& rest)
     {
         exchanging_.reset(cloud_.objectOf(0));
     }
+    cloud_.statistics().time += nParcels*trackTime_;
     label next = 0;
     int n = 0;
     while (true)
@@ -435,6 +502,10 @@ void Foam::BlockMotion<CloudType, Force>::move(const Rest& rest)
             {
                 f = flyers_[n];
                 cell_[i] = cell_[n];
+                if (f.face >= 0)
+                {
+                    along_[i] = along_[n];
+                }
                 block_.move(n, i);
                 enter(i);
             }

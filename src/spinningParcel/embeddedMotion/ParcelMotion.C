@@ -35,7 +35,8 @@ Foam::ParcelMotion<CloudType, Force>::placeForce()
     {
         tetPlace::put(p_, cells_, x_, cell_, -1);
     }
-    const cellGas::field& gas = cloud_.gas().at(cell_, store_);
+    const cellGas::field& gas =
+        face_ >= 0 ? along_ : cloud_.gas().at(cell_, store_);
     if (eddies_)
     {
         meetEddy(gas);
@@ -94,9 +95,14 @@ Foam::ParcelMotion<CloudType, Force>::step(const State& begin)
         begin,
         gasSpeed,
         impact::mag(force_.here().spin),
-        stepToFace::longest
+        min
         (
-            left, exit, gas.length, mag(p_.U()), gasSpeed
+            stepToFace::longest
+            (
+                left, exit, gas.length, mag(p_.U()), gasSpeed
+            ),
+            face_ < 0
+          ? GREAT : faceSlide::longest(gas, begin.v, force_.here().u)
         ),
         hTry_,
         max(left_ - stepToFace::kept, label(3))
@@ -222,6 +228,39 @@ void Foam::ParcelMotion<CloudType, Force>::become
 
 
 template<class CloudType, class Force>
+bool Foam::ParcelMotion<CloudType, Force>::slide
+(
+    const label place,
+    const label behind,
+    const scalar k,
+    State& state
+)
+{
+    cellGas::field here, there;
+    const cellGas::field* b =
+        behind < 0
+      ? cloud_.gas().beyond(-1 - behind) : &cloud_.gas().at(behind, there);
+    const cellGas::field& a = cloud_.gas().at(cell_, here);
+    const impact::vector3 n = cells_.normal(place);
+    const impact::vector3 eddy =
+        eddies_ ? toCore(p_.UTurb()) : impact::vector3{0, 0, 0};
+    if (!b || !faceSlide::holds(n, a, *b, x_, eddy, state.v, k))
+    {
+        face_ = -1;
+        return false;
+    }
+
+    state.v = state.v - impact::dot(n, state.v)*n;
+    x_ = x_ - cells_.heightAbove(place, x_)*n;
+    cloud_.statistics().nSlides += face_ != place;
+    face_ = place;
+    along_ = faceSlide::along(n, a, *b, x_, eddy, state, force_);
+    force_.done();
+    return true;
+}
+
+
+template<class CloudType, class Force>
 bool Foam::ParcelMotion<CloudType, Force>::stuck
 (
     const scalar t,
@@ -230,10 +269,13 @@ bool Foam::ParcelMotion<CloudType, Force>::stuck
 {
     stalls_ = t < 1e-9*trackTime_ ? stalls_ + 1 : 0;
 
-    // Near the axis a wedge is met again and again on a straight way
-    hits_ +=
-        patchi >= 0
-     && !isA<wedgePolyPatch>(cells_.mesh().boundaryMesh()[patchi]);
+    // Near the axis a wedge is met again and again on a straight way, and a
+    // step may lead through many periods
+    if (patchi >= 0)
+    {
+        const polyPatch& patch = cells_.mesh().boundaryMesh()[patchi];
+        hits_ += !patch.coupled() && !isA<wedgePolyPatch>(patch);
+    }
     if (stalls_ <= 20 && hits_ <= 50)
     {
         return false;
@@ -367,6 +409,7 @@ Foam::ParcelMotion<CloudType, Force>::ParcelMotion
     eddies_(cloud.eddies()),
     x_{0, 0, 0},
     cell_(-1),
+    face_(-1),
     left_(stepToFace::maxForces),
     stalls_(0),
     hits_(0),
@@ -406,17 +449,25 @@ bool Foam::ParcelMotion<CloudType, Force>::move()
         const impact::vector3 start = x_;
         const State begin = now();
         const outcome o = step(begin);
-        const arrival a = follow(begin, o);
+        arrival a = follow(begin, o);
+        cloud_.statistics().time += a.t;
+        cloud_.statistics().forcedTime += o.forced ? a.t : 0;
+
+        // Along a face, to another part of the mesh cell, another mesh cell,
+        // or the boundary
+        const label face = a.place >= 0 ? a.place : face_;
+        const label behind = face < 0 ? cell_ : cells_.behind(face, x_);
+        const bool slides = face >= 0 && slide(face, behind, o.k, a.state);
+        const label place = slides ? -1 : a.place;
+        const label next = place < 0 ? cell_ : behind;
+        const bool between = place >= 0 && cells_.meshFace(place) < 0;
+        const bool bounded = next < 0;
         become(a.state, heatRelaxation(o), a.t, a.t);
         p_.stepFraction() =
             a.place >= 0 || a.t < remaining()
           ? min(p_.stepFraction() + a.t/trackTime_, 1.0)
           : 1;
 
-        // Another part of the mesh cell, another mesh cell, or the boundary
-        const label next = a.place < 0 ? cell_ : cells_.behind(a.place, x_);
-        const bool between = a.place >= 0 && cells_.meshFace(a.place) < 0;
-        const bool bounded = a.place >= 0 && next < 0;
         const label patchi =
             bounded ? cells_.boundary()[-1 - next].patch : -1;
         const bool atWall =
@@ -428,7 +479,7 @@ bool Foam::ParcelMotion<CloudType, Force>::move()
             p_.tTurb() -= t;
         }
         p_.age() += t;
-        if ((watched_ || bounded) && !tell(start, t, a.place, between))
+        if ((watched_ || bounded) && !tell(start, t, place, between))
         {
             break;
         }
@@ -445,9 +496,9 @@ bool Foam::ParcelMotion<CloudType, Force>::move()
                 p_.locate(cells_, x_, cell_);
             }
         }
-        else if (a.place >= 0)
+        else if (place >= 0)
         {
-            enter(next, a.place, between);
+            enter(next, place, between);
         }
         if (a.place >= 0)
         {

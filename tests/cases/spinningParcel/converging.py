@@ -1,0 +1,82 @@
+# parcelImpact. License: GPL-3.0-or-later, see COPYING.
+"""Fine grains where the gas of two cells points to the face between them: they
+slide along it, whatever their size, at no more cost than others, and do not
+carry momentum to and fro between the cells."""
+
+import re
+
+import numpy as np
+
+from caseTools import (box, decompose, last_fields, must, read_field, solve,
+                       times_of, verdict, write_block, write_case, write_field,
+                       write_foam)
+from foamFiles import positions
+from spinningCloud import write_cloud
+
+LENGTH, N, P, T = 0.04, 4, 1e5, 300.0
+FACE = 0.5*LENGTH
+# On both sides of the middle face +-7.5 m/s across; along it 1.25 and 2.75 m/s,
+# whose mean is what a grain slides at
+GAS = np.array([(0, 2, 0), (10, 1, 0), (-10, 3, 0), (0, 2, 0)], float)
+
+
+def prepare(case, mode, dt, diameter, load, coupled, velocity=GAS):
+    write_case(case, {"endTime": dt, "deltaT": dt, "writeInterval": dt,
+                      "writeFormat": "ascii",
+                      "libs": "(spinningParcel parcelInjection)"},
+               {"mode": mode})
+    # (between two walls there is no velocity across them)
+    kind = "patch" if mode == "frozen" else "wall"
+    sides = {s + e: kind for s in "xyz" for e in ("Min", "Max")}
+    write_block(case, box((LENGTH, 0.1*LENGTH, 0.1*LENGTH)), (N, 1, 1), sides)
+    must(case, "blockMesh")
+    plain = dict.fromkeys(sides, "type zeroGradient;")
+    write_field(case, "p", P, plain)
+    write_field(case, "T", T, plain)
+    write_field(case, "U", velocity, dict.fromkeys(
+        sides, "type zeroGradient;" if kind == "patch" else "type slip;"))
+    write_foam(case, "constant/parcelClouds", "clouds (dust);")
+    gas = P/(287.05*T)*LENGTH**3*0.01/N
+    number = 0.5*load*gas/(2500*np.pi/6*diameter**3)
+    write_cloud(case, "dust", f"""
+        type rakeInjection; start ({FACE - 1e-5} {0.04*LENGTH} {0.05*LENGTH});
+        end ({FACE - 5e-6} {0.04*LENGTH} {0.05*LENGTH}); nParcels 2;
+        nParticle {number!r}; diameter {diameter!r}; U0 (0 0 0);""",
+                forces="sphereDrag;", coupled=coupled,
+                solution="sourceTerms { schemes { U explicit 1; } }")
+
+
+dt = 1e-4
+for diameter, ranks in (3e-7, 1), (1e-7, 1), (1e-8, 1), (1e-9, 1), (1e-8, 2):
+    case = f"slides_{diameter:g}_{ranks}"
+    prepare(case, "frozen", dt, diameter, 1e-3, "no")
+    if ranks > 1:
+        # The face is that between the ranks
+        decompose(case)
+    log = solve(case, ranks)
+    if ranks > 1:
+        must(case, "reconstructPar")
+    folder = f"{case}/{times_of(case)[-1]}/lagrangian/dust"
+    x, u = positions(folder)[0], read_field(f"{folder}/U")
+    steps = float(re.findall(r"Sub-steps, .*= (\S+),", log)[-1])
+    away = np.abs(x[:, 0] - FACE).max()/LENGTH
+    late = np.abs((x[:, 1] - 0.04*LENGTH)/(2*dt) - 1).max()
+    verdict(case, away < 1e-4 and late < 0.02 and steps < 100
+            and np.abs(u[:, 1]/2 - 1).max() < 1e-3,
+            f"{away:.1e} of the length off the face, along it within"
+            f" {100*late:.2f} %, {steps:g} sub-steps of two grains")
+
+across = GAS*(1, 0, 0)
+prepare("alone", "transient", 2e-5, 1e-6, 1e-9, "no", across)
+solve("alone")
+(clean,) = last_fields("alone", "U")
+for load in 1e-3, 1e-2, 0.1:
+    for diameter in 1e-6, 1e-7, 1e-8:
+        case = f"gas_{load:g}_{diameter:g}"
+        prepare(case, "transient", 2e-5, diameter, load, "yes", across)
+        solve(case)
+        (U,) = last_fields(case, "U")
+        change = np.abs(U[1:3, 0]/clean[1:3, 0] - 1).max()
+        verdict(case, change < 1e-4,
+                f"gas of {clean[1, 0]:.3f} m/s is changed by"
+                f" {100*change:.3f} % by a loading of {load:g}")
