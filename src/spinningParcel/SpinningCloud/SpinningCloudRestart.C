@@ -52,17 +52,18 @@ void Foam::SpinningCloud<CloudType>::readFlights()
             continue;
         }
         const scalar reach = 1e-9*cbrt(this->mesh().cellVolumes()[p.cell()]);
-        if (mag(x[i] - p.position()) < reach)
+
+        // Cells have other numbers on another decomposition. In warped cells
+        // the stock's coordinates may not reach the place
+        const impact::vector3 at(toCore(x[i]));
+        const bool inside =
+            celli < cells().size() && cells().meshCell(celli) == p.cell()
+         && cells().height(celli, at) < reach;
+        if (inside || mag(x[i] - p.position()) < reach)
         {
-            // Cells have other numbers on another decomposition
-            const bool known =
-                celli < cells().size() && cells().meshCell(celli) == p.cell();
-            const impact::vector3 at(toCore(x[i]));
             p.setFlight
             ({
-                at,
-                known && cells().height(celli, at) < reach
-              ? celli : cells().locate(p.cell(), at)
+                at, inside ? celli : cells().locate(p.cell(), at)
             });
         }
         ++i;

@@ -148,6 +148,10 @@ void Foam::SpinningParcel<ParcelType>::setCellValues
             this->currentTetIndices()
         );
     }
+    if (td.heated())
+    {
+        td.gasTemperature() = cloud.heat().thermo().T()[this->cell()];
+    }
 }
 
 
@@ -221,7 +225,7 @@ void Foam::SpinningParcel<ParcelType>::calc
         const impact::gasState gas
         {
             toCore(td.Uc()), toCore(td.halfCurl()), td.rhoc(), td.muc(),
-            cloud.heat().thermo().T()[this->cell()]
+            td.gasTemperature()
         };
         const scalar T0 = T_;
         const scalar h0 = sphere.material().h(T0);

@@ -94,6 +94,8 @@ bool Foam::SpinningParcel<ParcelType>::move
     if (cloud.solution().coupled() && !cloud.inMotion())
     {
         // The gas is that of the exchange only in the step of all parcels
+        td.keepParticle = true;
+        td.switchProcessor = false;
         return true;
     }
     return cloud.withForce
