@@ -10,8 +10,8 @@ import shutil
 
 import numpy as np
 
-from caseTools import (complaint, copy_case, decompose, hard_sphere, must,
-                       read_field, run, times_of, verdict, write_foam)
+from caseTools import (complaint, copy_case, decompose, edit, hard_sphere,
+                       must, read_field, run, times_of, verdict, write_foam)
 import csvTables
 
 SOLVER = "uncoupledKinematicParcelFoam"
@@ -696,3 +696,17 @@ refused("interval", "d { type dispersedPhase; interval 0; }", "interval", "0",
         "[1, ")
 refused("dispersed_window", "d { type dispersedPhase;"
         " window { start 1; end 0.5; } }", "end", "0.5", "greater than start")
+
+# A wall without faces, as meshers leave them, has no wear and no error
+case = prepare("bare", surface(
+    "erosion { model Finnie; p 1e9; } stopAtError { target 0.9;"
+    " quantities (wearRate); }").replace("(plate)", "(plate bare)"))
+edit(case, "system/blockMeshDict", "boundary\n(",
+     "boundary\n(\n    bare { type wall; faces (); }")
+must(case, "blockMesh")
+for name in "pTU":
+    edit(case, "0/" + name, "|sides)", "|sides|bare)")
+status, text = run(case, SOLVER)
+verdict("patch_without_faces", status == 0 and "wear of bare: 0" in text
+        and "the target is met" in text,
+        complaint(text) if status else re.findall("wear of bare.*", text)[-1])
