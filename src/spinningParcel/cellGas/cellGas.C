@@ -516,7 +516,7 @@ void Foam::cellGas::update
     events[3] = mu.eventNo();
     events[4] = T ? T->eventNo() : -1;
     events[5] = changing ? mesh_.time().timeIndex() : -1;
-    if (events == events_)
+    if (returnReduce(events == events_, andOp<bool>()))
     {
         return;
     }

@@ -191,34 +191,46 @@ bool Foam::BlockMotion<CloudType, Force>::slide
 )
 {
     flyer& f = flyers_[i];
-    cellGas::field here, there;
-    const cellGas::field& a = cloud_.gas().at(cell_[i], here);
-    const cellGas::field& b = cloud_.gas().at(next, there);
+    const label before = f.face;
+    f.face = -1;
     const impact::vector3 n = cells_.normal(place);
-    impact::vector3 x(impact::motionLanes::of(block_.now.x, i));
-    const impact::vector3 eddy =
-        eddies_
-      ? impact::motionLanes::of(block_.now.eddy, i)
-      : impact::vector3{0, 0, 0};
     State state(begin(i));
-    if (!faceSlide::holds(n, a, b, x, eddy, state.v, k))
+    const scalar across = impact::dot(n, state.v);
+    if (!faceSlide::near(across, k, block_.now.gas[i]->length))
     {
-        f.face = -1;
         return false;
     }
 
-    state.v = state.v - impact::dot(n, state.v)*n;
-    x = x - cells_.heightAbove(place, x)*n;
-    impact::motionLanes::set(block_.now.x, i, x);
-    impact::motionLanes::set(block_.now.v, i, state.v);
-    cloud_.statistics().nSlides += f.face != place;
-    f.face = place;
+    cellGas::field here, there, along;
+    impact::vector3 x(impact::motionLanes::of(block_.now.x, i));
+    state.v = state.v - across*n;
     force_.sphere(parcels_.d[f.at], parcels_.rho[f.at]);
     if (eddies_)
     {
-        force_.eddy(eddy);
+        force_.eddy(impact::motionLanes::of(block_.now.eddy, i));
     }
-    along_[i] = faceSlide::along(n, a, b, x, eddy, state, force_);
+    if
+    (
+       !faceSlide::holds
+        (
+            n,
+            cloud_.gas().at(cell_[i], here),
+            cloud_.gas().at(next, there),
+            x,
+            state,
+            force_,
+            along
+        )
+    )
+    {
+        return false;
+    }
+    x = x - cells_.heightAbove(place, x)*n;
+    impact::motionLanes::set(block_.now.x, i, x);
+    impact::motionLanes::set(block_.now.v, i, state.v);
+    cloud_.statistics().nSlides += before != place;
+    f.face = place;
+    along_[i] = along;
     return true;
 }
 
@@ -285,10 +297,6 @@ void Foam::BlockMotion<CloudType, Force>::follow(const int i)
         }
         end.x = impact::multiply(moving_, end.x);
     }
-    if (o.forced)
-    {
-        statistics.forcedTime += t;
-    }
     x = x + end.x;
     if (place >= 0)
     {
@@ -303,6 +311,8 @@ void Foam::BlockMotion<CloudType, Force>::follow(const int i)
     {
         block_.now.enthalpy[i] = end.h;
     }
+    statistics.time += t;
+    statistics.forcedTime += o.forced ? t : 0;
     const label face = place >= 0 ? place : f.face;
     const label next = face >= 0 ? cells_.behind(face, x) : -1;
     const bool slides = face >= 0 && slide(i, face, next, o.k);
@@ -463,7 +473,6 @@ void Foam::BlockMotion<CloudType, Force>::move(const Rest& rest)
     {
         exchanging_.reset(cloud_.objectOf(0));
     }
-    cloud_.statistics().time += nParcels*trackTime_;
     label next = 0;
     int n = 0;
     while (true)

@@ -236,26 +236,40 @@ bool Foam::ParcelMotion<CloudType, Force>::slide
     State& state
 )
 {
-    cellGas::field here, there;
+    const label before = face_;
+    face_ = -1;
+    const impact::vector3 n = cells_.normal(place);
+    const scalar across = impact::dot(n, state.v);
+    cellGas::field here, there, along;
+    const cellGas::field& a = cloud_.gas().at(cell_, here);
+    if (!faceSlide::near(across, k, a.length))
+    {
+        return false;
+    }
     const cellGas::field* b =
         behind < 0
       ? cloud_.gas().beyond(-1 - behind) : &cloud_.gas().at(behind, there);
-    const cellGas::field& a = cloud_.gas().at(cell_, here);
-    const impact::vector3 n = cells_.normal(place);
-    const impact::vector3 eddy =
-        eddies_ ? toCore(p_.UTurb()) : impact::vector3{0, 0, 0};
-    if (!b || !faceSlide::holds(n, a, *b, x_, eddy, state.v, k))
+    if (!b)
     {
-        face_ = -1;
         return false;
     }
 
-    state.v = state.v - impact::dot(n, state.v)*n;
-    x_ = x_ - cells_.heightAbove(place, x_)*n;
-    cloud_.statistics().nSlides += face_ != place;
-    face_ = place;
-    along_ = faceSlide::along(n, a, *b, x_, eddy, state, force_);
+    // At the place itself
+    State atFace = state;
+    atFace.x = impact::vector3{0, 0, 0};
+    atFace.v = state.v - across*n;
+    const bool holds =
+        faceSlide::holds(n, a, *b, x_, atFace, force_, along);
     force_.done();
+    if (!holds)
+    {
+        return false;
+    }
+    state.v = atFace.v;
+    x_ = x_ - cells_.heightAbove(place, x_)*n;
+    cloud_.statistics().nSlides += before != place;
+    face_ = place;
+    along_ = along;
     return true;
 }
 
@@ -328,6 +342,7 @@ Foam::scalar Foam::ParcelMotion<CloudType, Force>::rest(const label wall)
     --left_;
     ++cloud_.statistics().nForces;
     ++cloud_.statistics().nPauses;
+    cloud_.statistics().time += pause;
     const scalar acting = pause/(1 + pause*rate.k);
     state.v = state.v + acting*rate.a;
     state.omega = state.omega + pause/(1 + pause*rate.kSpin)*rate.alpha;
