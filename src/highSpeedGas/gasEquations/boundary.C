@@ -6,6 +6,7 @@
 #include "gasEquations.H"
 #include "basicSymmetryFvPatchFields.H"
 #include "mappedPatchBase.H"
+#include "mixedFvPatchFields.H"
 #include "surfaceInterpolate.H"
 #include "wallFvPatch.H"
 #include <algorithm>
@@ -154,8 +155,12 @@ void Foam::gasEquations::setPatches(const bool steady)
         open_ = open_ || !(patch.coupled || patch.image() || shut);
         excluded[patchi] = slip || (shut && !viscous_ && !patch.image());
         frictionless_[patchi] = slip;
+
+        // (mixed conditions say that they fix a value, whatever their share)
+        const fvPatchScalarField& Tp = thermo_.T().boundaryField()[patchi];
         ofGradient_[patchi] =
-            !thermo_.T().boundaryField()[patchi].fixesValue();
+            !Tp.fixesValue()
+         || (isA<wallFvPatch>(fvp) && isA<mixedFvPatchScalarField>(Tp));
         wall_[patchi] =
             isA<wallFvPatch>(fvp)
          || (ofFixedVelocity.found(Up.type()) && Up.type() != "fixedValue");

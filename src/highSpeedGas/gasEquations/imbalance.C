@@ -214,7 +214,8 @@ Foam::gasImbalance Foam::gasEquations::imbalance(const scalar bound) const
     (
         squares/(3*returnReduce(scalar(nCells), sumOp<scalar>()))
     );
-    b.heat = viscous_ && !open_ ? gained/max(heatOfWalls(), VSMALL) : 0;
+    const scalar ofWalls = viscous_ && !open_ ? heatOfWalls() : 0;
+    b.heat = ofWalls > 0 ? gained/ofWalls : 0;
     if (in.leastMass == 0)
     {
         b.massBalance = 0;

@@ -40,6 +40,10 @@ bool throwsBack
     const double u = std::sqrt(uu);
     const double gamma = gammaOf(stream[1]);
     const double MM = uu/(gamma*eos.R*stream[1]);
+    if (!(MM > 1))
+    {
+        return false;   // a mean of streams that cross
+    }
     const double p = stream[0]*(1 + 2*gamma/(gamma + 1)*(MM - 1));
     const double behind = u*((gamma - 1)*MM + 2)/((gamma + 1)*MM);
 

@@ -29,7 +29,10 @@ bool Foam::steadySolution::gasSteady() const
         imbalance_.value() <= settings_.residual
      && mag(imbalance_.massBalance) <= settings_.residual
      && mag(imbalance_.enthalpyBalance) <= settings_.residual
-     && imbalance_.heat <= maxHeat;
+     && (
+            imbalance_.heat <= maxHeat
+         || imbalance_.value() <= heatFree*settings_.residual
+        );
 }
 
 
@@ -268,6 +271,13 @@ void Foam::steadySolution::reportEnd(const scalar gain) const
     {
         Info<< "Gas: steady after " << iterations_
             << " iterations, imbalance of " << imbalance_ << endl;
+        if (imbalance_.heat > maxHeat)
+        {
+            WarningInFunction
+                << "Heat may still spread in the gas: cells gain or lose "
+                << imbalance_.heat << " of what goes through the walls. A"
+                << " smaller residual takes it further" << endl;
+        }
     }
     else
     {
