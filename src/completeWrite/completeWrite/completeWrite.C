@@ -18,6 +18,7 @@
 #include "processorTime.H"
 
 #include <algorithm>
+#include <chrono>
 #include <fstream>
 #include <sstream>
 #include <vector>
@@ -25,6 +26,14 @@
 
 namespace Foam
 {
+
+// When this process began, in the time of files [s]
+static const double processBegan =
+    std::chrono::duration<double>
+    (
+        std::chrono::system_clock::now().time_since_epoch()
+    ).count();
+
 
 // First word of the list that a mark holds. A mark without it is one of an
 // earlier version, or was copied by decomposePar or reconstructPar.
@@ -255,17 +264,24 @@ void Foam::completeWrite::begin(const Time& runTime)
     mark<< "being written" << endl;
     finishFile(mark);
 
-    // A cloud without parcels writes no files: those of a run before would stay
+    // A cloud without parcels writes no files: those of a run before would
+    // stay. Functions may have written theirs of this step already
     for (const polyMesh* mesh : runTime.lookupClass<polyMesh>())
     {
         for (const word& name : mesh->lookupClass<cloud>().toc())
         {
-            rmDir
+            const fileName folder
             (
                 runTime.path()/runTime.timeName()/mesh->dbDir()/cloud::prefix
-               /name,
-                true
+               /name
             );
+            for (const fileName& file : readDir(folder, fileName::FILE, false))
+            {
+                if (highResLastModified(folder/file) < processBegan)
+                {
+                    rm(folder/file);
+                }
+            }
         }
     }
 }

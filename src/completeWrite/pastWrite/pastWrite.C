@@ -3,7 +3,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "pastWrite.H"
+#include "OSspecific.H"
 #include "Time.H"
+#include "cloud.H"
 
 namespace Foam
 {
@@ -41,6 +43,17 @@ void Foam::pastWrite::catchUp(const polyMesh& mesh, const regIOobject& object)
 {
     if (of(mesh).timeIndex_ == mesh.time().timeIndex())
     {
+        // One that is empty writes no files, and has written those of before
+        const cloud* parcels = dynamic_cast<const cloud*>(&object);
+        if (parcels && !parcels->nParcels())
+        {
+            rmDir
+            (
+                mesh.time().path()/mesh.time().timeName()/mesh.dbDir()
+               /cloud::prefix/parcels->name(),
+                true
+            );
+        }
         object.write();
     }
 }
