@@ -66,8 +66,8 @@ void Foam::solidInflow::warnOfNone
     {
         IOWarningInFunction(d)
             << "Of diameter " << size.diameter << " m " << expected
-            << " simulated particles come in, in all of the run: fewer than"
-            << " one. Lower realPerSimulator, now " << real << ", or set "
+            << " simulated particles come in, in what is left of the run: fewer"
+            << " than one. Lower realPerSimulator, now " << real << ", or set "
             << count << endl;
     }
 }

@@ -48,7 +48,11 @@ Foam::List<const Foam::dictionary*> Foam::solidWalls::settingsOf
                     continue;
                 }
                 found = true;
-                if (!names && !named && settings[patchi])
+                if
+                (
+                    !names && !named && settings[patchi]
+                 && !own->found(name, keyType::LITERAL)
+                )
                 {
                     refuse
                     (

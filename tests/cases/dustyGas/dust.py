@@ -37,7 +37,8 @@ subModels
         grains
         {
             type manualInjection; massTotal 0; parcelBasisType fixed;
-            nParticle NUMBER; SOI 0; positionsFile "positions"; U0 (V_DUST);
+            nParticle NUMBER; minParticlesPerParcel 0; SOI 0;
+            positionsFile "positions"; U0 (V_DUST);
             sizeDistribution
             {
                 type fixedValue; fixedValueDistribution { value DIAMETER; }

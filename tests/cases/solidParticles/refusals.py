@@ -182,8 +182,9 @@ case = copy_case("good", "none")
 edit(case, PROPERTIES, "simulators 100;", "")
 edit(case, PROPERTIES, "realPerSimulator 1000", "realPerSimulator 1e20")
 status, text = run(case, "dsmcParcelFoam")
-told = re.findall(r"Of diameter (\S+) m \S+ simulated particles come in, in all"
-                  r" of the run: fewer than one. Lower realPerSimulator, now"
+told = re.findall(r"Of diameter (\S+) m \S+ simulated particles come in, in"
+                  r" what is left of the run: fewer than one. Lower"
+                  r" realPerSimulator, now"
                   r" 1e\+20, or set (\w+)\n", text)
 verdict("noneAtAll_isWarnedOf", status == 0 and sorted(told) == [
     (d, entry) for d in ("3e-06", "6e-06")
