@@ -141,6 +141,13 @@ Foam::gasInflows Foam::gasEquations::inflows() const
 Foam::scalar Foam::gasEquations::heatOfWalls() const
 {
     scalar heat = 0;
+    scalar lowest = GREAT;
+    scalar highest = 0;
+    for (label c = 0; c < geometry_.nCells(); c++)
+    {
+        lowest = min(lowest, primitive[c*nVar_ + 1]);
+        highest = max(highest, primitive[c*nVar_ + 1]);
+    }
     for (const gasMesh::patchRange& patch : geometry_.patches())
     {
         const bool wall = !patch.coupled && !patch.image();
@@ -149,12 +156,19 @@ Foam::scalar Foam::gasEquations::heatOfWalls() const
         {
             const double T = primitive[geometry_.owner[f]*nVar_ + 1];
             const double Tw = primitive[geometry_.far[f]*nVar_ + 1];
+            lowest = min(lowest, Tw);
+            highest = max(highest, Tw);
             heat +=
                 transport(f).lambda*max(mag(Tw - T), 1e-3*Tw)
                *geometry_.area[f]/geometry_.normalDistance[f];
         }
     }
-    return returnReduce(heat, sumOp<scalar>());
+    reduce(heat, sumOp<scalar>());
+    reduce(lowest, minOp<scalar>());
+    reduce(highest, maxOp<scalar>());
+
+    // What friction makes alone is not waited for
+    return highest - lowest > 1e-3*highest ? heat : 0;
 }
 
 

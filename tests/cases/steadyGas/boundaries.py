@@ -115,3 +115,33 @@ for condition in "noSlip", "slip":
     verdict("heat_between_plates_" + condition,
             "Gas: steady" in log and far < 1e-3, f"T differs by {far:.1e} from"
             " that of conduction, bound 1e-3")
+
+
+def periodic(case, ends, upper, residual):
+    """Gas between periods, and between walls or periods."""
+    write_case(case, {"endTime": 1, "deltaT": 1, "writeInterval": 1},
+               {"mode": "steady", "viscous": "yes", "residual": residual})
+    kinds = {"xMin": "cyclic", "xMax": "cyclic", "yMin": ends, "yMax": ends}
+    write_block(case, box((0.04, 0.04, 0.01)), (8, 8, 1), kinds)
+    for name, value, wall in (("p", P, "type zeroGradient;"),
+                              ("T", T, f"type fixedValue; value uniform {T};"),
+                              ("U", (2.5, 0, 0), "type noSlip;")):
+        sides = {side: "type cyclic;" if kind == "cyclic" else wall
+                 for side, kind in kinds.items()}
+        if name == "U" and ends == "wall":
+            sides["yMax"] = ("type fixedValue; value uniform"
+                             f" ({upper!r} 0 0);")
+        write_field(case, name, value, {
+            **sides, "zMin": "type empty;", "zMax": "type empty;"})
+    must(case, "blockMesh")
+    return solve(case)
+
+
+# Gas without walls, and gas sheared between walls of one temperature, have no
+# heat to wait for
+log = periodic("noWalls", "cyclic", 0.0, 1e-6)
+verdict("no_walls", "Gas: steady after 0 iterations" in log,
+        (re.findall(r"Gas: steady.*|not steady after \d+", log) or [""])[0])
+log = periodic("sheared", "wall", 5.0, 1e-6)
+after = re.findall(r"Gas: steady after (\d+)", log)
+verdict("sheared", after and int(after[0]) < 1000, f"steady after {after}")

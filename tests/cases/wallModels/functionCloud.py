@@ -3,16 +3,18 @@
 of the step: parcels in it and what injection models have counted must be of
 the same instant, with wall models of the stock too."""
 
+import os
 import shutil
 
 from caseTools import complaint, copy_case, edit, run, verdict, write_foam
-from plate import injector, mesh, parcels, write_plate
+from plate import CLOUD, injector, mesh, parcels, write_plate
 
 SOLVER = "pimpleFoam"
 STEP, WRITE, END = 2e-4, 5, 10
+PLATE = 'patches ( ".*" { type rebound; } );'
 
 case = "unbroken"
-write_plate(case, "localInteraction", 'patches ( ".*" { type rebound; } );',
+write_plate(case, "localInteraction", PLATE,
             [injector((0.3, y, 0.1), (0.7, y, 0.1), 10, (0, -1, 0), 1e-5)
              + f" startTime {(step - 0.5)*STEP!r};"
              for y, step in ((0.05, 2), (0.06, WRITE - 1), (0.07, WRITE))],
@@ -55,3 +57,20 @@ else:
             f"{there} parcels at the restart, {len(parts[0])} of"
             f" {len(whole[0])} at the end, "
             + ("the same to the bit" if whole == parts else "others"))
+
+# All leave in the step of the write: nothing of them may stay in the directory
+case = copy_case("unbroken", "empties")
+for name in end, middle:
+    shutil.rmtree(f"{case}/{name}")
+text = PLATE.replace("type rebound", "type escape")
+write_plate("emptied", "localInteraction", text,
+            [injector((0.3, (WRITE - 0.5)*STEP, 0.1),
+                      (0.7, (WRITE - 0.5)*STEP, 0.1), 10, (0, -1, 0), 1e-5)],
+            end=END*STEP, step=STEP, write=WRITE)
+shutil.copy(f"emptied/constant/{CLOUD}Properties",
+            f"{case}/constant/{CLOUD}Properties")
+status, text = run(case, SOLVER)
+left = os.path.exists(f"{case}/{middle}/lagrangian/{CLOUD}/U")
+verdict("functionCloud_empties", status == 0 and not left,
+        complaint(text) if status else "parcels that have left are "
+        + ("still there" if left else "gone"))
