@@ -186,24 +186,15 @@ bool Foam::BlockMotion<CloudType, Force>::slide
 (
     const int i,
     const label place,
-    const label next,
-    const scalar k
+    const label next
 )
 {
-    flyer& f = flyers_[i];
-    const label before = f.face;
-    f.face = -1;
+    const flyer& f = flyers_[i];
     const impact::vector3 n = cells_.normal(place);
-    State state(begin(i));
-    const scalar across = impact::dot(n, state.v);
-    if (!faceSlide::near(across, k, block_.now.gas[i]->length))
-    {
-        return false;
-    }
-
     cellGas::field here, there, along;
+    State state(begin(i));
     impact::vector3 x(impact::motionLanes::of(block_.now.x, i));
-    state.v = state.v - across*n;
+    state.v = state.v - impact::dot(n, state.v)*n;
     force_.sphere(parcels_.d[f.at], parcels_.rho[f.at]);
     if (eddies_)
     {
@@ -228,8 +219,7 @@ bool Foam::BlockMotion<CloudType, Force>::slide
     x = x - cells_.heightAbove(place, x)*n;
     impact::motionLanes::set(block_.now.x, i, x);
     impact::motionLanes::set(block_.now.v, i, state.v);
-    cloud_.statistics().nSlides += before != place;
-    f.face = place;
+    cloud_.statistics().nSlides += f.face != place;
     along_[i] = along;
     return true;
 }
@@ -315,7 +305,16 @@ void Foam::BlockMotion<CloudType, Force>::follow(const int i)
     statistics.forcedTime += o.forced ? t : 0;
     const label face = place >= 0 ? place : f.face;
     const label next = face >= 0 ? cells_.behind(face, x) : -1;
-    const bool slides = face >= 0 && slide(i, face, next, o.k);
+    const bool slides =
+        face >= 0
+     && faceSlide::near
+        (
+            impact::dot(cells_.normal(face), end.v),
+            o.k,
+            block_.now.gas[i]->length
+        )
+     && slide(i, face, next);
+    f.face = slides ? face : -1;
     if (heated || coupled_)
     {
         exchange(i, state, o, t);
