@@ -582,19 +582,14 @@ void Foam::gasEquations::reportInvalidCells()
 
     // The first rank that stops ends the others, whatever they are writing:
     // all wait here
-    const label rank =
-        returnReduce
-        (
-            celli >= 0 ? Pstream::myProcNo() : Pstream::nProcs(),
-            minOp<label>()
-        );
-    const point place
+    const label rank = returnReduce
     (
-        returnReduce
-        (
-            rank == Pstream::myProcNo() ? mesh_.C()[celli] : point(Zero),
-            sumOp<point>()
-        )
+        celli >= 0 ? Pstream::myProcNo() : Pstream::nProcs(), minOp<label>()
+    );
+    const point place = returnReduce
+    (
+        rank == Pstream::myProcNo() ? mesh_.C()[celli] : point(Zero),
+        sumOp<point>()
     );
     OStringStream where;
     if (rank < Pstream::nProcs())
