@@ -23,6 +23,13 @@ Foam::label Foam::gasImbalance::worst() const
 }
 
 
+void Foam::gasImbalance::writeOfWalls(Ostream& os) const
+{
+    os  << "cells gain or lose " << heat << " of the heat that goes through"
+        << " the walls, and " << drag << " of the force of moving walls";
+}
+
+
 Foam::Ostream& Foam::operator<<(Ostream& os, const gasImbalance& b)
 {
     for (label k = 0; k < 3; k++)
@@ -138,11 +145,14 @@ Foam::gasInflows Foam::gasEquations::inflows() const
 }
 
 
-Foam::scalar Foam::gasEquations::heatOfWalls() const
+Foam::Pair<Foam::scalar> Foam::gasEquations::exchangeOfWalls() const
 {
+    const int nDim = geometry_.nDim();
     scalar heat = 0;
     scalar lowest = GREAT;
     scalar highest = 0;
+    scalar drag = 0;
+    scalar fastest = 0;
     for (label c = 0; c < geometry_.nCells(); c++)
     {
         lowest = min(lowest, primitive[c*nVar_ + 1]);
@@ -152,23 +162,50 @@ Foam::scalar Foam::gasEquations::heatOfWalls() const
     {
         const bool wall = !patch.coupled && !patch.image();
         const label end = patch.start + (wall ? patch.size : 0);
+        const bool sticks = wall && !frictionless_[patch.patchi];
         for (label f = patch.start; f < end; f++)
         {
-            const double T = primitive[geometry_.owner[f]*nVar_ + 1];
-            const double Tw = primitive[geometry_.far[f]*nVar_ + 1];
-            lowest = min(lowest, Tw);
-            highest = max(highest, Tw);
-            heat +=
-                transport(f).lambda*max(mag(Tw - T), 1e-3*Tw)
-               *geometry_.area[f]/geometry_.normalDistance[f];
+            const double* q = &primitive[geometry_.owner[f]*nVar_];
+            const double* qw = &primitive[geometry_.far[f]*nVar_];
+            const scalar share =
+                geometry_.area[f]/geometry_.normalDistance[f];
+            const faceTransport t = transport(f);
+            lowest = min(lowest, qw[1]);
+            highest = max(highest, qw[1]);
+            heat += t.lambda*max(mag(qw[1] - q[1]), 1e-3*qw[1])*share;
+            if (!sticks)
+            {
+                continue;
+            }
+            scalar slip = 0;
+            scalar speed = 0;
+            for (int d = 0; d < nDim; d++)
+            {
+                slip += sqr(qw[2 + d] - q[2 + d]);
+                speed += sqr(qw[2 + d]);
+            }
+            slip = std::sqrt(slip);
+            speed = std::sqrt(speed);
+            drag += t.mu*max(slip, 1e-3*speed)*share;
+            fastest = max(fastest, speed/soundSpeed_[geometry_.owner[f]]);
         }
     }
-    reduce(heat, sumOp<scalar>());
+    for (scalar* value : {&heat, &drag})
+    {
+        reduce(*value, sumOp<scalar>());
+    }
     reduce(lowest, minOp<scalar>());
-    reduce(highest, maxOp<scalar>());
+    for (scalar* value : {&highest, &fastest})
+    {
+        reduce(*value, maxOp<scalar>());
+    }
 
-    // What friction makes alone is not waited for
-    return highest - lowest > 1e-3*highest ? heat : 0;
+    // Heat that friction makes alone is not waited for, nor motion that dies
+    return Pair<scalar>
+    (
+        highest - lowest > 1e-3*highest ? heat : 0,
+        fastest > 1e-6 ? drag : 0
+    );
 }
 
 
@@ -188,6 +225,7 @@ Foam::gasImbalance Foam::gasEquations::imbalance(const scalar bound) const
     scalar netMass = 0;
     scalar netEnthalpy = 0;
     scalar gained = 0;
+    scalar pushed = 0;
     scalar squares = 0;
 
     for (label c = 0; c < nCells; c++)
@@ -216,20 +254,24 @@ Foam::gasImbalance Foam::gasEquations::imbalance(const scalar bound) const
         netMass += R[0];
         netEnthalpy += R[1];
         gained += mag(R[1]);
+        pushed += std::sqrt(mm);
     }
 
     const gasInflows in = inflows();
     reduce(netMass, sumOp<scalar>());
     reduce(netEnthalpy, sumOp<scalar>());
     reduce(gained, sumOp<scalar>());
+    reduce(pushed, sumOp<scalar>());
     reduce(b.nAbove, sumOp<label>());
     reduce(squares, sumOp<scalar>());
     b.mean = std::sqrt
     (
         squares/(3*returnReduce(scalar(nCells), sumOp<scalar>()))
     );
-    const scalar ofWalls = viscous_ && !open_ ? heatOfWalls() : 0;
-    b.heat = ofWalls > 0 ? gained/ofWalls : 0;
+    const Pair<scalar> ofWalls =
+        viscous_ && !open_ ? exchangeOfWalls() : Pair<scalar>(0, 0);
+    b.heat = ofWalls.first() > 0 ? gained/ofWalls.first() : 0;
+    b.drag = ofWalls.second() > 0 ? pushed/ofWalls.second() : 0;
     if (in.leastMass == 0)
     {
         b.massBalance = 0;

@@ -140,17 +140,17 @@ bool Foam::highSpeedGas::inBalance()
     steadySolution solution(solutionTo(residual_));
     solution.judge();
 
-    // What a file with six digits may take; heat is hidden by them
+    // What a file with six digits may take; what walls give is hidden by them
     const scalar ofDigits = 1e-4;
     const bool exact =
         mesh_.time().writeFormat() == IOstream::BINARY
      || IOstream::defaultPrecision() >= 12;
-    const scalar heat = exact ? solution.imbalance().heat : 0;
-    const scalar maxHeat = 0.1;
+    const scalar ofWalls = exact ? solution.imbalance().ofWalls() : 0;
+    const scalar maxOfWalls = 0.1;
     if
     (
         solution.imbalance().value() <= max(ofDigits, residual_)
-     && heat <= maxHeat
+     && ofWalls <= maxOfWalls
     )
     {
         equations_->restoreBoundary();
@@ -163,10 +163,9 @@ bool Foam::highSpeedGas::inBalance()
         << " schemes of this run the imbalance of " << gasImbalance::names[k]
         << " is " << solution.imbalance().largest[k] << " in the cell at "
         << solution.imbalance().place[k];
-    if (heat > maxHeat)
+    if (ofWalls > maxOfWalls)
     {
-        Info<< ", and cells gain or lose " << heat << " of the heat that goes"
-            << " through the walls";
+        solution.imbalance().writeOfWalls(Info<< ", and ");
     }
     Info<< endl;
     return false;

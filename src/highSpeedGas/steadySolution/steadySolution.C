@@ -30,8 +30,11 @@ bool Foam::steadySolution::gasSteady() const
      && mag(imbalance_.massBalance) <= settings_.residual
      && mag(imbalance_.enthalpyBalance) <= settings_.residual
      && (
-            imbalance_.heat <= maxHeat
-         || imbalance_.value() <= heatFree*settings_.residual
+            imbalance_.ofWalls() <= maxOfWalls
+         || (
+                imbalance_.ofWalls() <= mostOfWalls
+             && imbalance_.value() <= 1e-3*settings_.residual
+            )
         );
 }
 
@@ -271,12 +274,12 @@ void Foam::steadySolution::reportEnd(const scalar gain) const
     {
         Info<< "Gas: steady after " << iterations_
             << " iterations, imbalance of " << imbalance_ << endl;
-        if (imbalance_.heat > maxHeat)
+        if (imbalance_.ofWalls() > maxOfWalls)
         {
             WarningInFunction
-                << "Heat may still spread in the gas: cells gain or lose "
-                << imbalance_.heat << " of what goes through the walls. A"
-                << " smaller residual takes it further" << endl;
+                << "Heat or motion may still spread in the gas: ";
+            imbalance_.writeOfWalls(Info);
+            Info<< ". A smaller residual takes it further" << endl;
         }
     }
     else
@@ -292,10 +295,9 @@ void Foam::steadySolution::reportEnd(const scalar gain) const
             << "), " << imbalance_.largest[k] << "; the balance of mass is "
             << imbalance_.massBalance << ", that of total enthalpy "
             << imbalance_.enthalpyBalance << " of what flows in";
-        if (imbalance_.heat > maxHeat)
+        if (imbalance_.ofWalls() > maxOfWalls)
         {
-            Info<< "; cells gain or lose " << imbalance_.heat << " of the heat"
-                << " that goes through the walls";
+            imbalance_.writeOfWalls(Info<< "; ");
         }
         if (equations_.turbulent())
         {

@@ -1,7 +1,8 @@
 # parcelImpact. License: GPL-3.0-or-later, see COPYING.
 """What boundaries decide in mode steady: a stream along an outer boundary is no
 layer of friction, and the mass of gas that is shut in is told; the shock of a
-ramp in time beside it. Heat between plates. Stands in a folder of its own."""
+ramp in time beside it. Heat and motion between plates. Stands in a folder of
+its own."""
 
 import re
 
@@ -77,24 +78,24 @@ for case, top, mode in (("along_zeroGradient", "zeroGradient", "steady"),
 # Gas that is shut in, and warmed by its walls
 
 
-def shut(case, cold, hot, condition, start=T, n=10):
+def shut(case, cold, hot, conditions, start=T, n=10, size=0.01):
     write_case(case, {"endTime": 1, "deltaT": 1, "writeInterval": 1},
                {"mode": "steady", "viscous": "yes"})
-    write_block(case, box((0.01, 0.01, 0.01)), (4, n, 1),
+    write_block(case, box((size, size, 0.01)), (4, n, 1),
                 {"xMin": "cyclic", "xMax": "cyclic", "yMin": "wall",
                  "yMax": "wall"})
     for name, value in ("p", P), ("T", start), ("U", (0, 0, 0)):
-        walls = {"p": ["type zeroGradient;"]*2, "U": [f"type {condition};"]*2,
+        walls = {"p": ["type zeroGradient;"]*2, "U": conditions,
                  "T": [f"type fixedValue; value uniform {t};"
                        for t in (cold, hot)]}[name]
         write_field(case, name, value, {
             "xMin": "type cyclic;", "xMax": "type cyclic;", "yMin": walls[0],
             "yMax": walls[1], "zMin": "type empty;", "zMax": "type empty;"})
     must(case, "blockMesh")
-    return solve(case), *last_fields(case, "p T")
+    return solve(case), *last_fields(case, "p T U")
 
 
-log, p, t = shut("shut", 400, 400, "noSlip")
+log, p, t, _ = shut("shut", 400, 400, ["type noSlip;"]*2)
 gain = 100*((p/t).mean()/(P/T) - 1)
 told = re.search(r"its mass has changed by (\S+) %", log)
 verdict("shut_mass_is_told", told and abs(float(told[1]) - gain)
@@ -109,12 +110,23 @@ mean = 0.5*(nodes[1:] + nodes[:-1])
 integral = np.append(0, np.cumsum(mean**1.5/(mean + 110.4)))
 exact = np.interp((np.arange(N) + 0.5)/N, integral/integral[-1], nodes)
 for condition in "noSlip", "slip":
-    log, p, t = shut("between_" + condition, COLD, HOT, condition, 350, N)
+    log, _, t, _ = shut("between_" + condition, COLD, HOT,
+                        [f"type {condition};"]*2, 350, N)
     t = np.broadcast_to(t, 4*N).reshape(N, 4)
     far = abs(t/exact[:, None] - 1).max()
     verdict("heat_between_plates_" + condition,
             "Gas: steady" in log and far < 1e-3, f"T differs by {far:.1e} from"
             " that of conduction, bound 1e-3")
+
+# Between a plate at rest and one that moves at a tenth of the speed of sound
+log, _, _, u = shut("moving", T, T, [
+    "type noSlip;", "type fixedValue; value uniform (30 0 0);"], n=N,
+                    size=0.001)
+u = u[:, 0].reshape(N, 4)
+far = abs(u/30 - (np.arange(N)[:, None] + 0.5)/N).max()
+verdict("motion_between_plates", "Gas: steady" in log and far < 1e-3,
+        f"U differs by {far:.1e} of the plate's from a straight line, bound"
+        " 1e-3")
 
 
 def periodic(case, ends, upper, residual):
@@ -122,7 +134,7 @@ def periodic(case, ends, upper, residual):
     write_case(case, {"endTime": 1, "deltaT": 1, "writeInterval": 1},
                {"mode": "steady", "viscous": "yes", "residual": residual})
     kinds = {"xMin": "cyclic", "xMax": "cyclic", "yMin": ends, "yMax": ends}
-    write_block(case, box((0.04, 0.04, 0.01)), (8, 8, 1), kinds)
+    write_block(case, box((0.004, 0.004, 0.01)), (8, 8, 1), kinds)
     for name, value, wall in (("p", P, "type zeroGradient;"),
                               ("T", T, f"type fixedValue; value uniform {T};"),
                               ("U", (2.5, 0, 0), "type noSlip;")):
