@@ -212,6 +212,47 @@ Foam::meshLayers::meshLayers(const polyMesh& mesh, const labelHashSet& body)
 }
 
 
+void Foam::meshLayers::appendImages(const polyPatch& patch)
+{
+    const label most = 6;
+    DynamicList<vector> areas;
+    DynamicList<point> origins;
+    forAll(patch, i)
+    {
+        const vector area(patch.faceAreas()[i]);
+        label k = 0;
+        while
+        (
+            k < areas.size()
+         && (areas[k] & area) < (1 - 1e-4)*mag(areas[k])*mag(area)
+        )
+        {
+            k++;
+        }
+        if (k == most)
+        {
+            FatalErrorInFunction
+                << "Patch " << patch.name() << " of type " << patch.type()
+                << " is curved: its faces have more than " << most
+                << " directions." << nl
+                << "A plane of symmetry is plane. Give what is curved the type"
+                << " patch, and slip as the condition of U" << exit(FatalError);
+        }
+        if (k == areas.size())
+        {
+            areas.append(Zero);
+            origins.append(patch.faceCentres()[i]);
+        }
+        areas[k] += area;
+    }
+    forAll(areas, k)
+    {
+        const vector n(normalised(areas[k]));
+        images_.append(image{origins[k], I - 2*sqr(n)});
+    }
+}
+
+
 void Foam::meshLayers::setImages()
 {
     for (const polyPatch& patch : mesh_.boundaryMesh())
@@ -236,8 +277,7 @@ void Foam::meshLayers::setImages()
          || isA<symmetryPolyPatch>(patch)
         )
         {
-            const vector n(normalised(sum(patch.faceAreas())));
-            images_.append(image{patch.faceCentres()[0], I - 2*sqr(n)});
+            appendImages(patch);
         }
     }
 }
