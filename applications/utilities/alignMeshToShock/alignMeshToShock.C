@@ -16,8 +16,9 @@ Description
         alignMeshToShock [-dict FILE]
 
     The points are written where they were read, constant/polyMesh (blockMesh
-    brings the old ones back), and the steady gas as the fields p, T and U of
-    the start time, from which rhoCentralParcelFoam goes on.
+    brings the old ones back) or that of a time, as moveDynamicMesh leaves
+    them, and the steady gas as the fields p, T and U of the start time, from
+    which rhoCentralParcelFoam goes on.
 
     Reads system/alignMeshToShockDict if it is there.
 \*---------------------------------------------------------------------------*/
@@ -128,6 +129,8 @@ int main(int argc, char* argv[])
         dict.reset(new IOdictionary(io));
     }
 
+    // (a mesh that moves calls the time at hand that of its points)
+    const fileName pointsInstance(mesh.pointsInstance());
     shockAlignment alignment(mesh, dict.valid() ? *dict : dictionary());
     highSpeedGas gas(mesh);
     gas.align(alignment);
@@ -136,7 +139,7 @@ int main(int argc, char* argv[])
     // What is written is what was found, to the last digit
     IOstream::defaultPrecision(17);
     auto& points = mesh.thisDb().lookupObjectRef<pointIOField>("points");
-    points.instance() = mesh.facesInstance();
+    points.instance() = pointsInstance;
     UPtrList<const regIOobject> objects(4);
     objects.set(0, &points);
     label n = 1;

@@ -143,6 +143,17 @@ verdict("annotated", filecmp.cmp(f"{case}/constant/polyMesh/points",
                                  "half_6/constant/polyMesh/points", False),
         "the annotated dictionary is that of the defaults")
 
+# Points that stand in a time, as moveDynamicMesh leaves them, are moved there
+case = "moved"
+prepare(case, "half", (16, 12), 4, 6)
+os.makedirs(f"{case}/0/polyMesh")
+shutil.copy(f"{case}/constant/polyMesh/points", f"{case}/0/polyMesh")
+align(case)
+text = solve(case)
+verdict(case, "Gas: steady after 0 iterations" in text,
+        (re.findall(r"Gas: steady after \d+ iterations", text)
+         or ["not steady"])[0] + " from what was written")
+
 # What cannot be
 def refused(name, wanted, cells=(12, 8), body="half", M=6, edits=None,
             dictionary=None, gas=None):
