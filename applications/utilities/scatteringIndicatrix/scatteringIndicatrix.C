@@ -37,7 +37,8 @@ Usage
     of threads and processes.
 
     Ctrl-C, or a file system/stopScatteringIndicatrix under mpirun, ends the
-    run with what was gathered so far, labelled with its number of particles.
+    run with what was gathered so far, labelled with its number of particles;
+    while the table is sampled, without a table.
 
     Entries: see etc/caseDicts/annotated/scatteringIndicatrixDict.
 \*---------------------------------------------------------------------------*/
@@ -157,6 +158,8 @@ int main(int argc, char* argv[])
     }
     if (args.found("table") && Pstream::master() && !monteCarlo.stopped())
     {
+        Info<< "Sampling the response table (Ctrl-C ends without it)" << endl;
+        monteCarlo.endAtOnce();
         writeResponseTable(folder, setup);
     }
     monteCarlo.finish();

@@ -99,6 +99,20 @@ Foam::monteCarloRun::monteCarloRun
     // must exist before ours can be called.
     monteCarloStop();
     std::signal(SIGINT, onInterrupt);
+
+    // One that an earlier run ended without seeing would stop this one
+    const fileName file(stopFile(casePath_, application_));
+    if (Pstream::parRun())
+    {
+        if (Pstream::master() && isFile(file) && rm(file))
+        {
+            WarningInFunction
+                << "removed " << file << " of an earlier run: while this one"
+                << " goes on, write it again to end it" << endl;
+        }
+        bool removed = true;
+        Pstream::scatter(removed);
+    }
 }
 
 
@@ -181,6 +195,12 @@ void Foam::monteCarloRun::plot(const fileName& folder) const
     {
         plotResults(application_, folder);
     }
+}
+
+
+void Foam::monteCarloRun::endAtOnce() const
+{
+    std::signal(SIGINT, SIG_DFL);
 }
 
 
