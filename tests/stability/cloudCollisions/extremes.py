@@ -121,8 +121,12 @@ def row(name, expected, right, injectors, steps, dt, pairs=ELASTIC,
 only = sys.argv[1:]
 
 
+ran = []
+
+
 def case(name, *args, **kwargs):
     if not only or any(word in name for word in only):
+        ran.append(name)
         row(name, *args, **kwargs)
 
 
@@ -207,3 +211,5 @@ for way, left in (("refuse", 10), ("separate", 20)):
          rake("a", (3e-4, 5e-4), (6e-4, 5e-4), 10, (1., 0.))
          + rake("b", (3e-4 + 2e-6, 5e-4), (6e-4 - 2e-6, 5e-4), 10, (1., 0.)),
          2, 1e-7, f"restitution 0.9; overlappingInjection {way};")
+if not ran:
+    sys.exit(f"extremes.py: no case has {' or '.join(only)} in its name")
