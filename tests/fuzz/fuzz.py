@@ -303,10 +303,12 @@ def annotated_subjects(asked):
 
 
 def report(order, count, wrong, tests):
-    """One line for each subject, in their order."""
+    """One line for each subject that was tried, in their order."""
     for name in order:
         n, refused = count[name]
         bad = sorted(wrong.get(name, []))
+        if not n and not bad:
+            continue
         said = f"{n} mistakes, {refused} refused, {n - refused} run"
         if tests:
             print(f"FAIL {name}: " + "; ".join(bad[:5]) if bad
@@ -331,6 +333,12 @@ def main():
     in_order = logged(asked.log)
     if os.listdir("."):
         sys.exit("fuzz.py: the folder is not empty")
+    known = (tutorials.names() if asked.tutorials
+             else [s.name for s in SUBJECTS])
+    for name in asked.subjects:
+        if name not in known:
+            sys.exit(f"fuzz.py: no subject {name}. There are: "
+                     + " ".join(known))
 
     # Trials without number: with a sample, the same ones each time
     trials, count, wrong, order = [], {}, {}, []
@@ -419,6 +427,14 @@ def main():
     with concurrent.futures.ThreadPoolExecutor(asked.jobs) as pool:
         for done in [pool.submit(attempt, t) for t in trials]:
             done.result()
+    if not begun:
+        sys.exit("fuzz.py: there was nothing to try")
+
+    # (of those that are alike, or of a sample, some have none)
+    if not (asked.tutorials or asked.sample or asked.minutes):
+        for name in order:
+            if not count[name][0]:
+                wrong.setdefault(name, []).append("nothing was tried")
 
     if asked.tutorials:
         said = (f"{len(begun)} of {different} different ones tried; the"

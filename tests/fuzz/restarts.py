@@ -112,6 +112,8 @@ for build, ranks in ((dust, 1), (dust, 2), (molecules, 1), (molecules, 2)):
     if TESTS and build is molecules:
         files = files[::3]      # of species much alike
     n, bad = 0, []
+    if len(files) < 4:
+        bad.append(f"the mark lists {len(files)} files")
     for k, name in enumerate(files):
         # A test takes one damage of each file, in turn
         every = (remove, empty, halve, flip)

@@ -35,9 +35,13 @@ class Dust:
 
 
 failed = False
-for subject in [*SUBJECTS, Dust]:
-    if len(sys.argv) > 1 and subject.name not in sys.argv[1:]:
-        continue
+subjects = {subject.name: subject for subject in [*SUBJECTS, Dust]}
+for name in sys.argv[1:]:
+    if name not in subjects:
+        sys.exit(f"memcheck.py: no subject {name}. There are: "
+                 + " ".join(subjects))
+for name in sys.argv[1:] or subjects:
+    subject = subjects[name]
     subject.build(subject.name)
     status = subprocess.run(MEMCHECK + subject.command, cwd=subject.name,
                             stdout=subprocess.DEVNULL, env=ENVIRONMENT,
