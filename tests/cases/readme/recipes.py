@@ -17,8 +17,8 @@ import numpy as np
 import foamFiles
 from caseTools import must, verdict
 
-PLACES = ("/usr/share/doc/openfoam-examples/examples",
-          os.environ.get("FOAM_TUTORIALS", ""))
+PLACES = (os.environ.get("FOAM_TUTORIALS", ""),
+          "/usr/share/doc/openfoam-examples/examples")
 
 
 def recipes(text):

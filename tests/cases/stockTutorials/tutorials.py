@@ -20,8 +20,8 @@ from riemann import riemann
 
 FULL = "-full" in sys.argv[1:]
 SOLVER = "rhoCentralParcelFoam"
-PLACES = ("/usr/share/doc/openfoam-examples/examples",
-          os.environ.get("FOAM_TUTORIALS", ""))
+PLACES = (os.environ.get("FOAM_TUTORIALS", ""),
+          "/usr/share/doc/openfoam-examples/examples")
 R_UNIVERSAL = 8314.47       # of OpenFOAM v1912 [J/(kmol K)]
 
 
