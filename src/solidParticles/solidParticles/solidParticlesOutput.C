@@ -49,7 +49,7 @@ void Foam::solidParticles::report()
         std::int64_t* value :
         {
             &c.pairs, &c.candidates, &c.collisions, &c.beyond, &c.holding,
-            &c.light
+            &c.light, &c.corrected, &c.inFew
         }
     )
     {
@@ -95,6 +95,18 @@ void Foam::solidParticles::report()
     {
         Info<< "    least force over the free-molecular one: "
             << c.minForce << nl;
+    }
+    if (10*c.inFew > c.corrected && !warnedOfFew_)
+    {
+        warnedOfFew_ = true;
+        WarningInFunction
+            << "knudsenCorrection: " << 100.*c.inFew/c.corrected << " % of"
+            << " the particles whose force it changes are in cells of less"
+            << " than " << label(impact::solidExchange::fewMolecules)
+            << " molecules, whose velocity by chance counts as slip." << nl
+            << "    Slow ones take up to half too much force from 10"
+            << " molecules, more than twice as much from 5; a smaller"
+            << " nEquivalentParticles or larger cells bring more" << endl;
     }
     if (exchange_->twoWay())
     {

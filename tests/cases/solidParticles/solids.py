@@ -220,6 +220,18 @@ verdict("dense_reportsItsFactor", told is not None and abs(
 verdict("dense_balance", changes(log).max() < 1e-12,
         f"greatest changes {changes(log)}")
 
+# With six molecules to a cell their chance counts as slip: said once
+FEW = "in cells of less than 20 molecules"
+write_gas("sparse", PERIODIC, (2, 2, 2), (0.01, 0.01, 0.01), weight=rho/m*2e-8,
+          density=rho/m, T=Tg, U=(u, 0, 0), gas={"N2": NITROGEN},
+          collisions="LarsenBorgnakkeVariableHardSphere",
+          control={"deltaT": 1e-8, "endTime": 2e-8})
+shutil.copy("dense/constant/solidParticleProperties", "sparse/constant")
+sparse = solve("sparse")
+verdict("sparse_isWarnedOf", FEW not in log and sparse.count(FEW) in (1, 2)
+        and "100 % of the particles whose force" in sparse,
+        " ".join(re.findall(".*" + FEW, sparse)))
+
 # --- both phases in a closed box: balance, restart to the bit, two ranks
 types = dict(PERIODIC, zMin="wall", zMax="wall")
 CORRECTED = "knudsenCorrection { drag singhDrag; heat kavanau; }\n"

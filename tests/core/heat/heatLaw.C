@@ -288,3 +288,17 @@ TEST(heatLaw, refusesWhatIsOutOfRange)
     EXPECT_NE(message("kavanaugh", gas(1.4, 0.7)).find("kavanau"),
         std::string::npos);
 }
+
+
+TEST(heatLaw, becomesThatOfAnotherGas)
+{
+    for (const std::string& name : heatLaw::names())
+    {
+        const auto wanted = heatLaw::New(name, gas(1.3, 0.9));
+        const auto law = heatLaw::New(name, gas(1.6, 0.7));
+        EXPECT_NE((*law)(3, 0.2).TawOverT, (*wanted)(3, 0.2).TawOverT);
+        law->set(gas(1.3, 0.9));
+        EXPECT_EQ((*law)(3, 0.2).Nu, (*wanted)(3, 0.2).Nu) << name;
+        EXPECT_EQ((*law)(3, 0.2).TawOverT, (*wanted)(3, 0.2).TawOverT);
+    }
+}

@@ -23,6 +23,11 @@ class lawOf
 {
 public:
 
+    void set(const coefficients& c) override
+    {
+        static_cast<Law&>(*this) = Law(c);
+    }
+
     result operator()(double Re, double K) const override
     {
         const double M = std::min(K*Re, highestMach);

@@ -67,34 +67,40 @@ impact::knudsenCorrection::knudsenCorrection
     species_(gas),
     referenceTemperature_(referenceTemperature),
     densityScale_(densityScale),
-    heatName_(heat),
-    count_(gas.size())
+    count_(gas.size()),
+    mu_(gas.size())
 {
     checkRange("Tref", referenceTemperature, "(0, 1e8) K");
     checkRange("densityScale", densityScale, "(0, 1e12]");
     checkName("drag", drag, dragLaws());
     checkName("heat", heat, heatLaws());
     drag_ = dragLaw::New(drag, dragLaw::coefficients());
-}
-
-
-double impact::knudsenCorrection::viscosity(double T, double n) const
-{
-    const int nSpecies = int(species_.size());
-    std::vector<double> mu(nSpecies);
-    for (int i = 0; i < nSpecies; ++i)
+    heat_ = heatLaw::New(heat, heatLaw::coefficients());
+    freeHeat_ = heatLaw::New("freeMolecular", heatLaw::coefficients());
+    for (const cellCollisions::species& s : gas)
     {
-        const cellCollisions::species& s = species_[i];
-        mu[i] =
+        reference_.push_back
+        (
             15*std::sqrt
             (
-                M_PI*s.mass*maxwellian::boltzmann*referenceTemperature_
+                M_PI*s.mass*maxwellian::boltzmann*referenceTemperature
             )
            /(
                 2*M_PI*s.diameter*s.diameter
                *(5 - 2*s.omega)*(7 - 2*s.omega)
             )
-           *std::pow(T/referenceTemperature_, s.omega);
+        );
+    }
+}
+
+
+double impact::knudsenCorrection::viscosity(double T)
+{
+    const int nSpecies = int(species_.size());
+    for (int i = 0; i < nSpecies; ++i)
+    {
+        mu_[i] =
+            reference_[i]*std::pow(T/referenceTemperature_, species_[i].omega);
     }
     double sum = 0;
     for (int i = 0; i < nSpecies; ++i)
@@ -103,12 +109,12 @@ double impact::knudsenCorrection::viscosity(double T, double n) const
         for (int j = 0; j < nSpecies; ++j)
         {
             const double m = species_[i].mass/species_[j].mass;
-            const double root = 1 + std::sqrt(mu[i]/mu[j]/std::sqrt(m));
-            around += count_[j]/n*root*root/std::sqrt(8*(1 + m));
+            const double root = 1 + std::sqrt(mu_[i]/mu_[j]/std::sqrt(m));
+            around += count_[j]/gas_.n*root*root/std::sqrt(8*(1 + m));
         }
         if (count_[i] > 0)
         {
-            sum += count_[i]/n*mu[i]/around;
+            sum += count_[i]/gas_.n*mu_[i]/around;
         }
     }
     return sum;
@@ -121,11 +127,6 @@ void impact::knudsenCorrection::gather
     double density
 )
 {
-    gas_ = state();
-    if (gas.n < 2)
-    {
-        return;
-    }
     std::fill(count_.begin(), count_.end(), 0.);
     double mass = 0, internal = 0;
     vector3 momentum = {0, 0, 0};
@@ -145,26 +146,24 @@ void impact::knudsenCorrection::gather
         const vector3 c = vector3{gas.u[i], gas.v[i], gas.w[i]} - mean;
         square += species_[gas.species[i]].mass*dot(c, c);
     }
-    const double T = square/(3*maxwellian::boltzmann*(gas.n - 1));
-    if (!(T > 0))
-    {
-        return;
-    }
     const double zeta = internal/gas.n;
+    gas_.n = gas.n;
     gas_.density = densityScale_*density*mass;
     gas_.velocity = mean;
-    gas_.temperature = T;
+    gas_.temperature =
+        gas.n > 1 ? square/(3*maxwellian::boltzmann*(gas.n - 1)) : 0;
     gas_.molecule = mass/gas.n;
     gas_.gamma = (5 + zeta)/(3 + zeta);
-    gas_.viscosity = viscosity(T, gas.n);
+    gas_.viscosity =
+        gas_.temperature > 0 ? viscosity(gas_.temperature) : 0;
     if (gas_.gamma != gamma_)
     {
         gamma_ = gas_.gamma;
         heatLaw::coefficients c;
         c.gamma = gamma_;
         c.Pr = 4*gamma_/(9*gamma_ - 5);
-        heat_ = heatLaw::New(heatName_, c);
-        freeHeat_ = heatLaw::New("freeMolecular", c);
+        heat_->set(c);
+        freeHeat_->set(c);
     }
 }
 
@@ -172,36 +171,41 @@ void impact::knudsenCorrection::gather
 impact::knudsenCorrection::factors impact::knudsenCorrection::of
 (
     const sphereTransfer::sphere& s
-) const
+)
 {
-    factors f;
-    if (!(gas_.density > 0))
-    {
-        return f;
-    }
-    const double d = 2*s.radius;
-    const double sound = std::sqrt
-    (
-        gas_.gamma*maxwellian::boltzmann*gas_.temperature/gas_.molecule
-    );
-    const double K = gas_.viscosity/(gas_.density*d*sound);
-    const double M = mag(gas_.velocity - s.velocity)/sound;
-    const double Re = M/K;
+    const bool known = gas_.temperature > 0;
+    const double T = known ? gas_.temperature : s.temperature;
+    const double mu = known ? gas_.viscosity : viscosity(T);
+    const double sound2 = gas_.gamma*maxwellian::boltzmann*T/gas_.molecule;
+    const double K = mu/(gas_.density*2*s.radius*std::sqrt(sound2));
+    const vector3 slip = gas_.velocity - s.velocity;
+    const double M2 = dot(slip, slip)/sound2;
+
+    // By chance, in each direction
+    const double scatter = 1/(gas_.gamma*gas_.n);
 
     // The laws take temperature ratios up to 1000; a sphere that is so hot
     // has its drag from its own temperature alone
-    const double ratio = std::min
-    (
-        std::max(s.temperature/gas_.temperature, 1e-3), 1e3
-    );
+    const double ratio = std::min(std::max(s.temperature/T, 1e-3), 1e3);
     const double perMach = std::sqrt(0.5*gas_.gamma);
+    const double M = std::sqrt(std::max(M2 - 4*scatter, 0.));
     const double freeCdRe =
         freeMolecularSphere::sCd(M*perMach, ratio)/(K*perMach);
-    f.force = drag_->CdReIn(gas_.gamma, Re, K, ratio)/freeCdRe;
+    factors f;
+    f.force = drag_->CdReIn(gas_.gamma, M/K, K, ratio)/freeCdRe;
 
+    const double heatM2 = M2 - 3*scatter;
+    const double Re = std::sqrt(std::max(heatM2, 0.))/K;
     const heatLaw::result wanted = (*heat_)(Re, K);
     const heatLaw::result free = (*freeHeat_)(Re, K);
+    double ratioOfTaw = wanted.TawOverT/free.TawOverT;
+    if (heatM2 < 0)
+    {
+        const double below = std::sqrt(-heatM2)/K;
+        ratioOfTaw =
+            (*freeHeat_)(below, K).TawOverT/(*heat_)(below, K).TawOverT;
+    }
     f.cooling = wanted.Nu/free.Nu;
-    f.heating = f.cooling*wanted.TawOverT/free.TawOverT;
+    f.heating = f.cooling*ratioOfTaw;
     return f;
 }

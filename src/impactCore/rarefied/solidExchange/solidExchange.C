@@ -460,6 +460,9 @@ impact::solidExchange::gains impact::solidExchange::exchange
             {
                 hits += f.force*solids.number[j]*M_PI*shape.radius*shape.radius
                    *(mag(s.velocity - b.mean) + b.thermal)*deltaT/volume;
+                const bool acts = std::fabs(f.force - 1) > 0.1;
+                total.corrected += acts;
+                total.inFew += acts && gas.n < fewMolecules;
                 if (!(hits < hitLimit))
                 {
                     throwOutOfRange
