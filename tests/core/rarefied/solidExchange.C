@@ -454,6 +454,44 @@ TEST(solidExchange, aLedgerIsReturnedToTheNextGas)
 }
 
 
+TEST(solidExchange, aStepOfSomeRelaxationsIsManyShortOnes)
+{
+    // Of 10 nm, and free-molecular also where a law for all Knudsen numbers
+    // says so
+    for (const bool corrected : {false, true})
+    {
+        cell one(1000, 500, 300, 1, 400, 1), many(1000, 500, 300, 1, 400, 1);
+        const auto fly = [&](cell& c, double time, int n)
+        {
+            auto exchange = make(mode::none, 1, 1e-8);
+            if (corrected)
+            {
+                exchange.correct(273, "singhDrag", "kavanau");
+            }
+            solidExchange::counts counts;
+            balance ledger;
+            for (int i = 0; i < n; ++i)
+            {
+                exchange.exchange
+                (
+                    c.gas(), c.solids(), 1e19, 1, time/n, ledger, 0, i, counts
+                );
+            }
+        };
+        for (const double time : {3e-5, 1e-3})
+        {
+            one.up[0] = many.up[0] = 0;
+            one.T[0] = many.T[0] = 400;
+            fly(one, time, 1);
+            fly(many, time, 1000);
+            EXPECT_NEAR(one.up[0], many.up[0], 2) << corrected << ' ' << time;
+            EXPECT_NEAR(one.T[0], many.T[0], 1) << corrected << ' ' << time;
+        }
+        EXPECT_NEAR(one.up[0], 500, 30);
+    }
+}
+
+
 TEST(solidExchange, refusesBadInput)
 {
     // More hits in a step than anyone can wait for

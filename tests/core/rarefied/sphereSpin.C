@@ -260,7 +260,8 @@ TEST(sphereSpin, ratesAreThoseOfReflectionsOneByOne)
         const double lost = dot(q.damp(omega), omega);
         EXPECT_NEAR
         (
-            r.heat - 0.5*lost, rate/N*heat, perSample*std::sqrt(heat2)
+            r.heating - r.coolingRate*T - 0.5*lost, rate/N*heat,
+            perSample*std::sqrt(heat2)
         );
 
         // What the tolerances must tell from nothing
@@ -277,7 +278,9 @@ TEST(sphereSpin, ratesAreThoseOfReflectionsOneByOne)
         expectNear(turn, -q.damp(omega), 1e-5*mag(q.damp(omega)), "turning");
         EXPECT_NEAR
         (
-            (after.temperature - T)*M*900/dt/(r.heat + 0.5*lost), 1, 1e-4
+            (after.temperature - T)*M*900/dt
+           /(r.heating - r.coolingRate*T + 0.5*lost),
+            1, 1e-4
         );
     }
 }

@@ -313,19 +313,24 @@ void impact::solidExchange::advance
     double deltaT
 ) const
 {
-    sphereTransfer::rates r = transfer_.on(s, density);
-    r.force = f.force*r.force;
-    r.dragRate *= f.force;
-    r.heating *= f.heating;
-    r.coolingRate *= f.cooling;
-    if (dot(s.omega, s.omega) > 0)
+    const auto ratesWith = [&]
+    (
+        const sphereTransfer::sphere& at,
+        const knudsenCorrection::factors& g
+    )
     {
-        transfer_.advance(s, r, transfer_.onSpin(s, density), deltaT);
-    }
-    else
+        sphereTransfer::rates r = transfer_.on(at, density);
+        r.force = g.force*r.force;
+        r.dragRate *= g.force;
+        r.heating *= g.heating;
+        r.coolingRate *= g.cooling;
+        return r;
+    };
+    const auto ratesOf = [&](const sphereTransfer::sphere& at)
     {
-        transfer_.advance(s, r, deltaT);
-    }
+        return ratesWith(at, correction_ ? correction_->of(at) : f);
+    };
+    transfer_.follow(s, ratesWith(s, f), density, deltaT, ratesOf);
 }
 
 
@@ -455,14 +460,14 @@ impact::solidExchange::gains impact::solidExchange::exchange
             {
                 f = correction_->of(s);
                 total.minForce = std::fmin(total.minForce, f.force);
+                const bool acts = std::fabs(f.force - 1) > 0.1;
+                total.corrected += acts;
+                total.inFew += acts && gas.n < fewMolecules;
             }
             if (twoWay())
             {
                 hits += f.force*solids.number[j]*M_PI*shape.radius*shape.radius
                    *(mag(s.velocity - b.mean) + b.thermal)*deltaT/volume;
-                const bool acts = std::fabs(f.force - 1) > 0.1;
-                total.corrected += acts;
-                total.inFew += acts && gas.n < fewMolecules;
                 if (!(hits < hitLimit))
                 {
                     throwOutOfRange

@@ -116,12 +116,10 @@ impact::sphereTransfer::rates impact::sphereTransfer::on
         gas_, p, accommodation_/3*std::sqrt(2*M_PI*kT)
     );
     const double f = M_PI*s.radius*s.radius*density;
-    const double heating = f*accommodation_*sums.energy;
     return
     {
         {f*sums.force[0], f*sums.force[1], f*sums.force[2]},
-        heating - f*accommodation_*sums.cooling*kT,
-        heating,
+        f*accommodation_*sums.energy,
         f*sums.drag,
         f*accommodation_*sums.cooling*maxwellian::boltzmann
     };
@@ -209,4 +207,38 @@ void impact::sphereTransfer::advance
     s.temperature =
         s.temperature*std::exp(-x)
       + relaxed(x)*(perHeat*r.heating + 0.5*lost/specificHeat_);
+}
+
+
+double impact::sphereTransfer::relaxation
+(
+    const sphere& s,
+    const rates& r
+) const
+{
+    return std::max(r.dragRate, r.coolingRate/specificHeat_)/s.mass;
+}
+
+
+void impact::sphereTransfer::step
+(
+    sphere& s,
+    const sphere& at,
+    rates r,
+    double density,
+    double deltaT
+) const
+{
+    const vector3 ahead = at.velocity - s.velocity;
+    r.force = r.force + r.dragRate*ahead;
+    if (dot(s.omega, s.omega) > 0)
+    {
+        spinRates q = onSpin(at, density);
+        q.lift = q.lift + q.lag*ahead;
+        advance(s, r, q, deltaT);
+    }
+    else
+    {
+        advance(s, r, deltaT);
+    }
 }
