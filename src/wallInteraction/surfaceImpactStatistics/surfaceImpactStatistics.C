@@ -617,12 +617,12 @@ void Foam::surfaceImpactStatistics::end()
             if
             (
                 stop_ && !stopped_ && !last && bins_->errorsKnown()
-             && bins_->errorBound()*largestError() < stop_->target
+             && largestError(true) < stop_->target
             )
             {
                 // The solver does one more step, with a write
                 stopped_ = true;
-                met_ = largestError();
+                met_ = largestError(false);
                 time.stopAt(Time::saWriteNow);
             }
         }

@@ -120,7 +120,10 @@ bool Foam::surfaceImpactStatistics::known
 }
 
 
-Foam::scalar Foam::surfaceImpactStatistics::largestError() const
+Foam::scalar Foam::surfaceImpactStatistics::largestError
+(
+    const bool bounded
+) const
 {
     // A patch without faces has no error to wait for
     scalar largest = 0;
@@ -140,7 +143,10 @@ Foam::scalar Foam::surfaceImpactStatistics::largestError() const
             {
                 return GREAT;
             }
-            largest = max(largest, e.error/mag(e.value));
+            const scalar factor =
+                bounded
+              ? impact::blockStatistics::errorBound(e.nBlocks) : scalar(1);
+            largest = max(largest, factor*e.error/mag(e.value));
         }
     }
     return any ? largest : GREAT;
@@ -422,7 +428,7 @@ void Foam::surfaceImpactStatistics::report() const
     }
     if (stop_)
     {
-        const scalar error = bins_->errorsKnown() ? largestError() : GREAT;
+        const scalar error = bins_->errorsKnown() ? largestError(false) : GREAT;
         Info<< "    largest relative error           = ";
         if (error < GREAT)
         {

@@ -238,6 +238,49 @@ TEST(blockStatistics, goesOnFromASavedState)
 }
 
 
+TEST(blockStatistics, boundsTheErrorOfAsManyBlocksAsHaveSomething)
+{
+    // Chi-squared of 1 and 9 degrees of freedom: 0.01579, 4.168
+    EXPECT_NEAR(blockStatistics::errorBound(2), 7.958, 1e-3);
+    EXPECT_NEAR(blockStatistics::errorBound(10), 1.469, 1e-3);
+
+    // Mean speeds of rare impacts until their error seems to be below 5 %
+    std::mt19937_64 random(6);
+    std::poisson_distribution<int> hits(0.1);
+    std::normal_distribution<double> normal(10, 2);
+    double square = 0;
+    const int nRuns = 1000;
+    for (int run = 0; run < nRuns; ++run)
+    {
+        blockStatistics s(1, 2);
+        for (;;)
+        {
+            for (int k = hits(random); k > 0; --k)
+            {
+                s.open()[number] += 1;
+                s.open()[speed] += normal(random);
+            }
+            if (s.advance(1))
+            {
+                s.close();
+                const auto e = s.ratio(0, speed, number);
+                if
+                (
+                    e.error >= 0
+                 && s.errorBound(e.nBlocks)*e.error < 0.05*e.value
+                )
+                {
+                    square += std::pow(e.value/10 - 1, 2);
+                    break;
+                }
+            }
+        }
+    }
+    // Known to 2.5 %
+    EXPECT_LT(std::sqrt(square/nRuns), 0.06);
+}
+
+
 TEST(blockStatistics, hasNothingToSayAboutNothing)
 {
     blockStatistics statistics(1, 2);

@@ -63,7 +63,7 @@ blockStatistics::estimate blockStatistics::errorOf
         // All of it in one block: no scatter to see
         return {ratio, -1};
     }
-    return {ratio, std::sqrt(n/(n - 1)*squares)/denominator};
+    return {ratio, std::sqrt(n/(n - 1)*squares)/denominator, n};
 }
 
 
@@ -149,9 +149,9 @@ void blockStatistics::close()
 }
 
 
-double blockStatistics::errorBound() const
+double blockStatistics::errorBound(double nBlocks)
 {
-    const double free = double(std::max<std::size_t>(nBlocks(), 2) - 1);
+    const double free = nBlocks - 1;
     const boost::math::chi_squared_distribution<double> squares(free);
     return std::sqrt(free/quantile(squares, 0.1));
 }
