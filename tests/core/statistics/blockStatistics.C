@@ -238,6 +238,44 @@ TEST(blockStatistics, goesOnFromASavedState)
 }
 
 
+TEST(blockStatistics, blocksKeepUpWithLongerSteps)
+{
+    // The first step is far shorter than those that follow, or they grow
+    std::mt19937_64 random(5);
+    std::poisson_distribution<int> hits(20);
+    for (const double growth : {1e6, 1.1})
+    {
+        scatter rate;
+        double longest = 0;
+        for (int run = 0; run < 300; ++run)
+        {
+            blockStatistics s(1, 1);
+            double dt = 1e-6;
+            for (int i = 0; i < 1000; ++i)
+            {
+                s.open()[0] += dt*hits(random);
+                if (s.advance(dt))
+                {
+                    s.close();
+                }
+                dt = std::min(1., dt*growth);
+            }
+            s.settle();
+            rate.add(s.rate(0, 0));
+            const std::vector<double> times = s.times();
+            longest = std::max
+            (
+                longest,
+                *std::max_element(times.begin() + 2, times.end())/s.time()
+            );
+        }
+        // The scatter of 300 runs is known to 4 %
+        EXPECT_NEAR(rate.ratio(), 1, 0.12) << growth;
+        EXPECT_LT(longest, 0.15) << growth;
+    }
+}
+
+
 TEST(blockStatistics, boundsTheErrorOfAsManyBlocksAsHaveSomething)
 {
     // Chi-squared of 1 and 9 degrees of freedom: 0.01579, 4.168

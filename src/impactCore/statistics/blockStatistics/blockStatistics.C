@@ -145,7 +145,7 @@ void blockStatistics::close()
     }
     times_.resize(minBlocks_);
     blocks_.resize(minBlocks_*width);
-    length_ *= 2;
+    length_ = std::max(2*length_, (time() - openTime_)/minBlocks_);
 }
 
 
