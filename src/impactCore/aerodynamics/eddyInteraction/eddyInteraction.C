@@ -6,12 +6,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace
 {
 
-constexpr double never = std::numeric_limits<double>::max();
+// As long as numbers may be in the files of OpenFOAM, which refuses 1e300
+constexpr double never = 1e299;
 
 } // End namespace
 
