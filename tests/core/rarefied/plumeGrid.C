@@ -100,6 +100,30 @@ void expectRefused(Make make, const char* words)
 
 
 TEST(plumeGrid, findsTheCellsOfPlaces)
+TEST(plumeGrid, cellsOwnTheirLowerEnd)
+{
+    const plumeGrid line = plumeGrid::axis({0, 9, 9}, 1);
+    const plumeGrid plane = plumeGrid::plane({-2, 2, 4}, {-4, 4, 8}, 0, 1);
+    const double zero = 0;
+    for (int i = 0; i < 9; ++i)
+    {
+        for (const double x : {double(i), std::nextafter(i + 1, 0.)})
+        {
+            int cell;
+            line.locate(1, &x, &zero, &zero, &cell);
+            EXPECT_EQ(cell, i) << x;
+        }
+    }
+    for (int j = 0; j < 8; ++j)
+    {
+        const double x = j % 4 - 2, y = j - 4;
+        int cell;
+        plane.locate(1, &x, &y, &zero, &cell);
+        EXPECT_EQ(cell, j % 4 + 4*j);
+    }
+}
+
+
 {
     expectCells
     (

@@ -23,7 +23,10 @@ impactInline bool along
 )
 {
     const double t = (x - g.from[d])*g.inverse[d];
-    nearest(t - 0.5, i);
+
+    // Halves may have gone to the even number below
+    const double below = nearest(t - 0.5, i);
+    i += below + 1 <= t;
     return (t >= 0) & (t < g.n[d]);
 }
 
