@@ -165,4 +165,21 @@ TEST(plumeSampler, refusesWhatIsOutOfRange)
         s.cooling = std::make_shared<const radiativeCooling>(dark);
         s.source = beams({{1e-300, 1, 1e-3, 0, 0, cone, 300}});
     });
+
+    // Without an equilibrium the temperature leaves any pairs at last
+    const auto pairs = [](setup& s, double time, bool sunlit)
+    {
+        radiativeCooling::setup c;
+        c.heatCapacity = {{300, 900}, {2500, 1300}};
+        (sunlit ? c.emissivity : c.absorptivity) = 0;
+        s.cooling = std::make_shared<const radiativeCooling>(c);
+        s.source = beams({{1e-3, 1, 1e-3, 0, 0, cone, 2200}});
+        s.time = time;
+    };
+    refused("accepted", [&](setup& s) { pairs(s, 100, false); });
+    refused("] K, that of the pairs of heatCapacity, which a particle of",
+        [&](setup& s) { pairs(s, 1e4, false); });
+    refused("accepted", [&](setup& s) { pairs(s, 100, true); });
+    refused("valid range [300, 2500] K, that of the pairs",
+        [&](setup& s) { pairs(s, 1e7, true); });
 }

@@ -106,6 +106,7 @@ impact::plumeSampler::plumeSampler(const setup& s)
                 " K has left the nozzle"
             );
         }
+        s.cooling->checkEnd(T, d, std::max(0., observed_));
         if (s.temperature == temperatureMethod::euler)
         {
             const double limit = s.cooling->eulerLimit(T, d);

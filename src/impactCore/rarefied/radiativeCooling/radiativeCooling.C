@@ -342,12 +342,6 @@ void impact::radiativeCooling::makeTable(bool hot)
 }
 
 
-double impact::radiativeCooling::mass(double diameter) const
-{
-    return M_PI/6*setup_.density*diameter*diameter*diameter;
-}
-
-
 impact::radiativeCooling::state
 impact::radiativeCooling::start(double T) const
 {
@@ -411,6 +405,32 @@ double impact::radiativeCooling::after
     state s = start(T);
     s.y += rate(diameter)*time;
     return exactTemperature(s);
+}
+
+
+void impact::radiativeCooling::checkEnd
+(
+    double T,
+    double diameter,
+    double time
+) const
+{
+    state s = start(T);
+    s.y += rate(diameter)*time;
+    const double end = temperature(s);
+    const double low = setup_.heatCapacity.front().first;
+    const double high = setup_.heatCapacity.back().first;
+
+    // The table has the temperatures to 1e-10
+    if (kinked_ && !(end >= low*(1 - 1e-9) && end <= high*(1 + 1e-9)))
+    {
+        throwOutOfRange
+        (
+            "temperature", end, '[', low, ", ", high, "] K, that of the pairs"
+            " of heatCapacity, which a particle of diameter ", diameter,
+            " m leaves within ", time, " s from ", T, " K: more pairs"
+        );
+    }
 }
 
 
