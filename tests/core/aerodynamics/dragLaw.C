@@ -114,6 +114,23 @@ double jumpAt45(const char* form)
 } // End anonymous namespace
 
 
+TEST(dragLaw, lothIsContinuousInDenseGas)
+{
+    // At Re = 45 both branches divide by what the Mach number leaves
+    for (const char* form : {"published", "continuous"})
+    {
+        const auto loth = make("lothDrag", 1.4, 1, form);
+        for (const double K : {0., 1e-200, 1e-110, 1e-30})
+        {
+            EXPECT_NEAR
+            (
+                loth->CdRe(45, K)/loth->CdRe(45*(1 - 1e-9), K), 1, 1e-8
+            ) << K;
+        }
+    }
+}
+
+
 TEST(dragLaw, givesTheFiguresComputedElsewhere)
 {
     // To all digits that are printed

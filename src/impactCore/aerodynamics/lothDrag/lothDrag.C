@@ -4,6 +4,7 @@
 
 #include "lothDrag.H"
 #include "compressibleRange.H"
+#include "elementary.H"
 #include "freeMolecularSphere.H"
 
 #include <algorithm>
@@ -38,9 +39,11 @@ double impact::lothDrag::rarefied
         M <= 1
       ? 0.14 + M2*(2.26*M - j1_)
       : 0.44 + M*(0.11 + M*(0.25 + 1.6*M));
-    const double blend = 1 + (MCfm*M2/J - 1)*std::sqrt(Re/45);
+    const double root = std::sqrt(Re/45);
+    const double blend = 1 - root + root*MCfm*M2/J;
 
-    return (C1Re + M3*Re*MCfm/blend)/(1 + M3*M);
+    // 0/0 at Re = 45 and M = 0
+    return (C1Re + M3*Re*MCfm/nonZero(blend))/(1 + M3*M);
 }
 
 
