@@ -11,6 +11,7 @@ Description
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <vector>
 
@@ -128,6 +129,12 @@ TEST(jkrMotion, integratorIsOfEighthOrder)
         EXPECT_NEAR(step.at(0, x), part.end()[0], 1e-12);
         EXPECT_NEAR(step.when(0, part.end()[0], 1), x, 1e-10);
     }
+
+    // A motion that is not a number has no error that a step could keep
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    dormandPrince8<2> lost(pendulum, {1, none});
+    lost.attempt(pendulum, 0.1);
+    EXPECT_THROW(lost.error({1, 1}), std::invalid_argument);
 }
 
 
