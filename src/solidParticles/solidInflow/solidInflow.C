@@ -310,7 +310,7 @@ void Foam::solidInflow::addPatch
     forAll(groups_, g)
     {
         const group& size = groups_[g];
-        if (size.massFraction > 0 && duration > 0)
+        if (duration > 0)
         {
             warnOfNone
             (
@@ -469,10 +469,6 @@ Foam::label Foam::solidInflow::fill
         forAll(groups_, g)
         {
             const group& size = groups_[g];
-            if (!(size.massFraction > 0))
-            {
-                continue;
-            }
             const scalar mean =
                 concentration*all*size.massFraction/(size.mass*real[g]);
             warnOfNone(d, "simulators", size, mean, real[g]);
@@ -529,10 +525,6 @@ Foam::label Foam::solidInflow::enter
         {
             const group& size = groups_[g];
             const scalar phase = ofAllSteps.uniform();
-            if (!(size.massFraction > 0))
-            {
-                continue;
-            }
 
             // The whole numbers that the sum up to now has passed
             const scalar mean =

@@ -9,9 +9,6 @@
 #include "outOfRange.H"
 #include "singhDrag.H"
 
-#include <cmath>
-#include <cstdlib>
-
 namespace
 {
 
@@ -19,20 +16,6 @@ template<class Law>
 std::unique_ptr<impact::dragLaw> make(const impact::dragLaw::coefficients& c)
 {
     return std::make_unique<Law>(c);
-}
-
-
-//- Is a number within a range given as text?
-bool within(double value, const char* range)
-{
-    char* comma;
-    const double low = std::strtod(range + 1, &comma);
-    char* end;
-    const double high = std::strtod(comma + 1, &end);
-    return
-        std::isfinite(value)
-     && (range[0] == '[' ? value >= low : value > low)
-     && (*end == ']' ? value <= high : value < high);
 }
 
 
@@ -69,10 +52,7 @@ impact::dragLaw::coefficients complete
             }
             c.numbers[n.name] = n.as ? c.numbers.at(n.as) : n.deflt;
         }
-        if (!within(c.numbers[n.name], n.range))
-        {
-            throwOutOfRange(n.name, c.numbers[n.name], n.range);
-        }
+        impact::checkRange(n.name, c.numbers[n.name], n.range);
     }
 
     std::string forms;
@@ -98,10 +78,7 @@ impact::dragLaw::dragLaw(double TpOverT)
 :
     TpOverT_(TpOverT)
 {
-    if (!within(TpOverT, TpOverTRange))
-    {
-        throwOutOfRange("TpOverT", TpOverT, TpOverTRange);
-    }
+    checkRange("TpOverT", TpOverT, TpOverTRange);
 }
 
 
