@@ -90,7 +90,7 @@ void followsTheGeneralSearch(const variant& v)
             std::atan2(one.state.V.y, one.state.V.x)*180/M_PI;
         if (alpha >= 0)
         {
-            bins[std::min(int(alpha/r.binWidth()), r.nBins() - 1)] += 1;
+            bins[std::min(int(alpha*r.nBins()/180), r.nBins() - 1)] += 1;
         }
     }
     double differ = 0;

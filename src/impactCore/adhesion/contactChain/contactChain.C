@@ -97,7 +97,6 @@ class chainImpact
     const double barrier1_, barrier2_;
 
     integrator step_;
-    long evaluations_;
     double h_;
 
     // Largest overlaps, and whether a maximum is behind
@@ -218,7 +217,6 @@ class chainImpact
         {
             out_.secondSpeed = -end[3]*unit1_.speed;
         }
-        evaluations_ += step_.evaluations();
         step_ = integrator(rate_, end);
 
         // One factor of the time scale is gone
@@ -258,13 +256,12 @@ public:
             rate_,
             {rate.curve1.uA(), speed/unit1.speed, rate.curve2.uB(), 0, 0}
         ),
-        evaluations_(0),
         h_(0.05/rate.length),
         maxU1_(rate.curve1.uA()),
         maxU2_(rate.curve2.uB()),
         turned1_(false),
         turned2_(false),
-        out_{true, 0, false, 0, 0, 0, true, 0}
+        out_{true, 0, false, 0, 0, 0, true}
     {
         note(step_.begin());
     }
@@ -347,7 +344,6 @@ public:
         out.decided = decided;
         out.maxOverlap1 = rate_.curve1.overlap(maxU1_)*unit1_.length;
         out.maxOverlap2 = rate_.curve2.overlap(maxU2_)*unit2_.length;
-        out.evaluations = evaluations_ + step_.evaluations();
         return out;
     }
 };

@@ -104,7 +104,6 @@ impact::impactOutcome impact::jkrImpact::impact(double speed) const
     out.restitution = motion.exitSpeed/p;
     out.contactTime = motion.time*unit.time;
     out.maxOverlap = unit.curve.overlap(motion.maxU)*unit.length;
-    out.dissipated = motion.dissipated*unit.energy;
     out.evaluations = motion.evaluations;
     if (curve_)
     {
