@@ -60,7 +60,16 @@ void Foam::SpinningCloud<CloudType>::setModels()
     stockCloudEntries::checkProperties(constants, properties);
     stockCloudEntries::checkModels(this->subModelProperties(), models);
     rotation_ = solution.lookupOrDefault<Switch>("rotation", true);
-    torque_ = rotationalTorqueModel::New(this->subModelProperties());
+    const word torque
+    (
+        getWordOf
+        (
+            this->subModelProperties(), "rotationalTorqueModel",
+            "rotationalTorque", {"none", "rotationalTorque"}
+        )
+    );
+    Info<< "Selecting rotational torque model " << torque << endl;
+    torque_ = torque != "none";
 
     const wordList motions{"stock", "embeddedRK54"};
     const dictionary* coeffs = solution.findDict("motion");
@@ -283,7 +292,7 @@ Foam::SpinningCloud<CloudType>::SpinningCloud
 :
     CloudType(c, name),
     rotation_(c.rotation_),
-    torque_(rotationalTorqueModel::New(c.subModelProperties())),
+    torque_(c.torque_),
     heat_
     (
         c.heat_.valid()

@@ -137,7 +137,6 @@ Foam::SpinningCloud<CloudType>::coreForcesOf()
     static const impact::sphereDrag stockDrag;
 
     coreForces core;
-    core.all = torque_->standard() || !torque_->active();
     for (const auto& force : this->forces())
     {
         if (isA<MagnusForce<kinematicCloudType>>(force))

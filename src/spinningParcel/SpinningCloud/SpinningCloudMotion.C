@@ -200,7 +200,7 @@ void Foam::SpinningCloud<CloudType>::prepareMotion()
             core.all ? core.drag : nullptr,
             core.gammaR,
             core.magnus && rotation_,
-            torque_->active() && rotation_,
+            torque_ && rotation_,
             toCore(core.gravity ? this->g().value() : vector::zero),
             counts_
         ),

@@ -6,6 +6,7 @@
 #include "checked.H"
 #include "forceSuSp.H"
 #include "meshTools.H"
+#include "rotationalTorque.H"
 #include "tetPlace.H"
 #include "transform.H"
 #include "wedgePolyPatch.H"
@@ -197,24 +198,16 @@ void Foam::SpinningParcel<ParcelType>::calc
 
     ParcelType::calc(cloud, td, dt);
 
-    if (td.rotation() && cloud.torque().active())
+    if (td.rotation() && cloud.torque())
     {
+        typedef impact::rotationalTorque law;
         const vector W = omega_ - td.halfCurl();
-        const scalar magW = mag(W);
-        omega_ =
-            td.halfCurl()
-          + cloud.torque().remaining
-            (
-                this->d_,
-                this->rho_,
-                td.rhoc(),
-                td.muc(),
-                magW,
-                dt
-            )*W;
+        const scalar ReOmega =
+            law::ReOmega(this->d_, td.rhoc(), td.muc(), mag(W));
+        const scalar t = dt*law::scale(this->d_, this->rho_, td.muc());
+        omega_ = td.halfCurl() + law::remaining(ReOmega, t)*W;
         ++td.counts().torque;
-        td.counts().torqueOutside +=
-            cloud.torque().outside(this->d_, td.rhoc(), td.muc(), magW);
+        td.counts().torqueOutside += !law::inRange(ReOmega);
     }
 
     scalar heat = 0;
