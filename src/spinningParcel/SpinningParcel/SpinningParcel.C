@@ -141,17 +141,17 @@ void Foam::SpinningParcel<ParcelType>::setCellValues
 {
     ParcelType::setCellValues(cloud, td);
 
-    if (td.rotation())
+    if (td.rotation)
     {
-        td.halfCurl() = td.halfCurlInterp()->interpolate
+        td.halfCurl = td.halfCurlInterp->interpolate
         (
             this->coordinates(),
             this->currentTetIndices()
         );
     }
-    if (td.heated())
+    if (td.heated)
     {
-        td.gasTemperature() = cloud.heat().thermo().T()[this->cell()];
+        td.gasTemperature = cloud.heat().thermo().T()[this->cell()];
     }
 }
 
@@ -166,7 +166,7 @@ void Foam::SpinningParcel<ParcelType>::calc
 )
 {
     const bool coupled = cloud.solution().coupled();
-    if (!td.rotation() && !coupled && !td.heated())
+    if (!td.rotation && !coupled && !td.heated)
     {
         ParcelType::calc(cloud, td, dt);
         return;
@@ -198,27 +198,27 @@ void Foam::SpinningParcel<ParcelType>::calc
 
     ParcelType::calc(cloud, td, dt);
 
-    if (td.rotation() && cloud.torque())
+    if (td.rotation && cloud.torque())
     {
         typedef impact::rotationalTorque law;
-        const vector W = omega_ - td.halfCurl();
+        const vector W = omega_ - td.halfCurl;
         const scalar ReOmega =
             law::ReOmega(this->d_, td.rhoc(), td.muc(), mag(W));
         const scalar t = dt*law::scale(this->d_, this->rho_, td.muc());
-        omega_ = td.halfCurl() + law::remaining(ReOmega, t)*W;
-        ++td.counts().torque;
-        td.counts().torqueOutside += !law::inRange(ReOmega);
+        omega_ = td.halfCurl + law::remaining(ReOmega, t)*W;
+        ++td.counts.torque;
+        td.counts.torqueOutside += !law::inRange(ReOmega);
     }
 
     scalar heat = 0;
-    if (td.heated())
+    if (td.heated)
     {
         impact::sphereHeat sphere(cloud.heat().sphere());
         sphere.sphere(this->d_, this->rho_);
         const impact::gasState gas
         {
-            toCore(td.Uc()), toCore(td.halfCurl()), td.rhoc(), td.muc(),
-            td.gasTemperature()
+            toCore(td.Uc()), toCore(td.halfCurl), td.rhoc(), td.muc(),
+            td.gasTemperature
         };
         const scalar T0 = T_;
         const scalar h0 = sphere.material().h(T0);
@@ -270,7 +270,7 @@ bool Foam::SpinningParcel<ParcelType>::hitPatch
         }
 
         // Wall laws evaluated without spin may have left one
-        if (!td.rotation())
+        if (!td.rotation)
         {
             omega_ = Zero;
         }

@@ -27,34 +27,21 @@ Foam::SpinningParcel<ParcelType>::SpinningParcel
 {
     if (readFields)
     {
-        if (is.format() == IOstream::ASCII)
+        const bool ascii = is.format() == IOstream::ASCII;
+        visitTransferred(*this, [&](auto& value)
         {
-            is >> omega_ >> T_ >> x_.x >> x_.y >> x_.z >> convexCell_
-                >> nImpacts_ >> nEddies_;
-        }
-        else if (!is.checkLabelSize<label>() || !is.checkScalarSize<scalar>())
-        {
-            is.beginRawRead();
-            readRawScalar(is, omega_.data(), vector::nComponents);
-            readRawScalar(is, &T_);
-            readRawScalar(is, &x_.x, 3);
-            readRawLabel(is, &convexCell_);
-            readRawLabel(is, &nImpacts_);
-            readRawLabel(is, &nEddies_);
-            is.endRawRead();
-        }
-        else
-        {
-            is.read(reinterpret_cast<char*>(omega_.data()), sizeof(omega_));
-            is.read(reinterpret_cast<char*>(&T_), sizeof(T_));
-            is.read(reinterpret_cast<char*>(&x_), sizeof(x_));
-            is.read
-            (
-                reinterpret_cast<char*>(&convexCell_), sizeof(convexCell_)
-            );
-            is.read(reinterpret_cast<char*>(&nImpacts_), sizeof(nImpacts_));
-            is.read(reinterpret_cast<char*>(&nEddies_), sizeof(nEddies_));
-        }
+            if (ascii)
+            {
+                is >> value;
+            }
+            else
+            {
+                is.read(reinterpret_cast<char*>(&value), sizeof(value));
+            }
+        });
+
+        // Cells have other numbers elsewhere
+        convexCell_ = convexCell_ == -1 ? -1 : label(flight::passed);
     }
     is.check(FUNCTION_NAME);
 }
@@ -228,22 +215,20 @@ void Foam::SpinningParcel<ParcelType>::readObjects
         return;
     }
 
-    const auto& omega = cloud::lookupIOField<vector>("omega", obr);
-    const auto& nImpacts = cloud::lookupIOField<label>("nImpacts", obr);
-    label i = 0;
-    for (SpinningParcel<ParcelType>& p : c)
+    typedef SpinningParcel<ParcelType> parcel;
+    const auto take = [&](const auto& values, auto parcel::* member)
     {
-        p.omega_ = omega[i];
-        p.nImpacts_ = nImpacts[i];
-        i++;
-    }
+        label i = 0;
+        for (parcel& p : c)
+        {
+            p.*member = values[i++];
+        }
+    };
+    take(cloud::lookupIOField<vector>("omega", obr), &parcel::omega_);
+    take(cloud::lookupIOField<label>("nImpacts", obr), &parcel::nImpacts_);
     if (const auto* T = obr.findObject<IOField<scalar>>("T"))
     {
-        i = 0;
-        for (SpinningParcel<ParcelType>& p : c)
-        {
-            p.T_ = (*T)[i++];
-        }
+        take(*T, &parcel::T_);
     }
 }
 
@@ -258,23 +243,22 @@ void Foam::SpinningParcel<ParcelType>::writeObjects
 {
     ParcelType::writeObjects(c, obr);
 
-    auto& omega = cloud::createIOField<vector>("omega", c.size(), obr);
-    auto& nImpacts = cloud::createIOField<label>("nImpacts", c.size(), obr);
-    label i = 0;
-    for (const SpinningParcel<ParcelType>& p : c)
+    typedef SpinningParcel<ParcelType> parcel;
+    const auto give = [&](const word& name, auto parcel::* member)
     {
-        omega[i] = p.omega_;
-        nImpacts[i] = p.nImpacts_;
-        i++;
-    }
+        typedef std::decay_t<decltype(std::declval<parcel>().*member)> Type;
+        auto& values = cloud::createIOField<Type>(name, c.size(), obr);
+        label i = 0;
+        for (const parcel& p : c)
+        {
+            values[i++] = p.*member;
+        }
+    };
+    give("omega", &parcel::omega_);
+    give("nImpacts", &parcel::nImpacts_);
     if (hasTemperatures(c))
     {
-        auto& T = cloud::createIOField<scalar>("T", c.size(), obr);
-        i = 0;
-        for (const SpinningParcel<ParcelType>& p : c)
-        {
-            T[i++] = p.T_;
-        }
+        give("T", &parcel::T_);
     }
 }
 
@@ -286,42 +270,19 @@ Foam::Ostream& Foam::operator<<
     const SpinningParcel<ParcelType>& p
 )
 {
-    // Cells have other numbers elsewhere
-    typedef typename SpinningParcel<ParcelType>::flight flight;
-    const label cell = p.convexCell_ == -1 ? -1 : flight::passed;
     os << static_cast<const ParcelType&>(p);
-    if (os.format() == IOstream::ASCII)
+    const bool ascii = os.format() == IOstream::ASCII;
+    SpinningParcel<ParcelType>::visitTransferred(p, [&](const auto& value)
     {
-        os  << token::SPACE << p.omega_
-            << token::SPACE << p.T_
-            << token::SPACE << p.x_.x
-            << token::SPACE << p.x_.y
-            << token::SPACE << p.x_.z
-            << token::SPACE << cell
-            << token::SPACE << p.nImpacts_
-            << token::SPACE << p.nEddies_;
-    }
-    else
-    {
-        os.write
-        (
-            reinterpret_cast<const char*>(p.omega_.cdata()),
-            sizeof(p.omega_)
-        );
-        os.write(reinterpret_cast<const char*>(&p.T_), sizeof(p.T_));
-        os.write(reinterpret_cast<const char*>(&p.x_), sizeof(p.x_));
-        os.write(reinterpret_cast<const char*>(&cell), sizeof(cell));
-        os.write
-        (
-            reinterpret_cast<const char*>(&p.nImpacts_),
-            sizeof(p.nImpacts_)
-        );
-        os.write
-        (
-            reinterpret_cast<const char*>(&p.nEddies_),
-            sizeof(p.nEddies_)
-        );
-    }
+        if (ascii)
+        {
+            os << token::SPACE << value;
+        }
+        else
+        {
+            os.write(reinterpret_cast<const char*>(&value), sizeof(value));
+        }
+    });
     os.check(FUNCTION_NAME);
     return os;
 }

@@ -41,20 +41,19 @@ Foam::forceSuSp Foam::MagnusForce<CloudType>::calcCoupled
 ) const
 {
     forceSuSp force(Zero);
-    if (!td.rotation())
+    if (!td.rotation)
     {
         return force;
     }
 
-    const vector W = td.halfCurl() - p.omega();
+    const vector W = td.halfCurl - p.omega();
     const scalar ReOmega =
         impact::rotationalTorque::ReOmega(p.d(), td.rhoc(), muc, mag(W));
     force.Su() =
         mass*impact::magnusLift::rotation(td.rhoc()/p.rho(), Re, ReOmega)
        *(W ^ (td.Uc() - p.U()));
 
-    auto& counts = td.counts();
-    ++counts.magnus;
-    counts.magnusOutside += !impact::magnusLift::inRange(Re);
+    ++td.counts.magnus;
+    td.counts.magnusOutside += !impact::magnusLift::inRange(Re);
     return force;
 }
