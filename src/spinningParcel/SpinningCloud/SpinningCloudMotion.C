@@ -188,58 +188,44 @@ void Foam::SpinningCloud<CloudType>::prepareMotion()
         watched_ = watched_ || !ofWalls.found(function.type());
     }
 
-    coreForce_.clear();
-    listedForce_.clear();
-    heatedCoreForce_.clear();
-    heatedListedForce_.clear();
-    const spinningListedForce<spinningCloudType> listed(*this, core.magnus);
-    const spinningCoreForce coreForce
-    (
-        impact::sphereForces
-        (
-            core.all ? core.drag : nullptr,
-            core.gammaR,
-            core.magnus && rotation_,
-            torque_ && rotation_,
-            toCore(core.gravity ? this->g().value() : vector::zero),
-            counts_
-        ),
-        core.secondary,
-        this->mesh()
-    );
-    if (heat_.valid())
+    const auto set = [&](const auto& force)
     {
-        heat_->update();
-        const impact::sphereHeat sphere(heat_->sphere());
-        if (core.all)
+        typedef std::decay_t<decltype(force)> Force;
+        if (heat_.valid())
         {
-            heatedCoreForce_.reset
+            heat_->update();
+            force_.emplace
             (
-                new heatedForce<spinningCoreForce>(sphere, coreForce)
+                std::in_place_type<heatedForce<Force>>, heat_->sphere(), force
             );
         }
         else
         {
-            heatedListedForce_.reset
-            (
-                new heatedForce<spinningListedForce<spinningCloudType>>
-                (
-                    sphere, listed
-                )
-            );
+            force_.emplace(std::in_place_type<Force>, force);
         }
-    }
-    else if (core.all)
+    };
+    if (!core.all)
     {
-        coreForce_.reset(new spinningCoreForce(coreForce));
+        set(listedForce(*this, core.magnus));
+        return;
     }
-    else
-    {
-        listedForce_.reset
+    set
+    (
+        spinningCoreForce
         (
-            new spinningListedForce<spinningCloudType>(listed)
-        );
-    }
+            impact::sphereForces
+            (
+                core.drag,
+                core.gammaR,
+                core.magnus && rotation_,
+                torque_ && rotation_,
+                toCore(core.gravity ? this->g().value() : vector::zero),
+                counts_
+            ),
+            core.secondary,
+            this->mesh()
+        )
+    );
 }
 
 
@@ -411,17 +397,15 @@ void Foam::SpinningCloud<CloudType>::moveInBlocks
     PlannedCloud<spinningCloudType>* planned
 )
 {
-    typedef SpinningCloud<CloudType> cloud;
-    if (coreForce_.valid())
+    withForce([&](auto& force)
     {
-        BlockMotion<cloud, spinningCoreForce>
-            (*this, coreForce_(), planned).move(rest);
-    }
-    else
-    {
-        BlockMotion<cloud, heatedForce<spinningCoreForce>>
-            (*this, heatedCoreForce_(), planned).move(rest);
-    }
+        typedef std::decay_t<decltype(force)> Force;
+        if constexpr (!Force::places)
+        {
+            BlockMotion<spinningCloudType, Force>
+                (*this, force, planned).move(rest);
+        }
+    });
 }
 
 
