@@ -286,57 +286,6 @@ Foam::SpinningCloud<CloudType>::SpinningCloud
 template<class CloudType>
 Foam::SpinningCloud<CloudType>::SpinningCloud
 (
-    SpinningCloud<CloudType>& c,
-    const word& name
-)
-:
-    CloudType(c, name),
-    rotation_(c.rotation_),
-    torque_(c.torque_),
-    heat_
-    (
-        c.heat_.valid()
-      ? new heatTransfer(c.particleProperties(), c.mesh())
-      : nullptr
-    ),
-    eddies_
-    (
-        c.eddies_.valid()
-      ? new turbulentDispersion(c.U(), c.subModelProperties())
-      : nullptr
-    ),
-    ETrans_
-    (
-        new volScalarField::Internal
-        (
-            IOobject
-            (
-                name + ":ETrans",
-                this->db().time().timeName(),
-                this->db(),
-                IOobject::NO_READ,
-                IOobject::NO_WRITE,
-                false
-            ),
-            c.ETrans()
-        )
-    ),
-    counts_(c.counts_)
-{
-    if (c.embedded_.valid())
-    {
-        embedded_.reset
-        (
-            new impact::particleMotion(c.embedded_->tolerance())
-        );
-        gas_.reset(new cellGas(this->mesh(), c.gas_->scheme()));
-    }
-}
-
-
-template<class CloudType>
-Foam::SpinningCloud<CloudType>::SpinningCloud
-(
     const fvMesh& mesh,
     const word& name,
     const SpinningCloud<CloudType>& c
@@ -397,46 +346,6 @@ void Foam::SpinningCloud<CloudType>::resetSourceTerms()
 {
     CloudType::resetSourceTerms();
     ETrans_->field() = 0;
-}
-
-
-template<class CloudType>
-void Foam::SpinningCloud<CloudType>::relaxSources
-(
-    const SpinningCloud<CloudType>& cloudOldTime
-)
-{
-    CloudType::relaxSources(cloudOldTime);
-    this->relax(ETrans_(), cloudOldTime.ETrans(), "U");
-}
-
-
-template<class CloudType>
-void Foam::SpinningCloud<CloudType>::scaleSources()
-{
-    CloudType::scaleSources();
-    this->scale(ETrans_(), "U");
-}
-
-
-template<class CloudType>
-void Foam::SpinningCloud<CloudType>::storeState()
-{
-    cloudCopyPtr_.reset
-    (
-        static_cast<SpinningCloud<CloudType>*>
-        (
-            clone(this->name() + "Copy").ptr()
-        )
-    );
-}
-
-
-template<class CloudType>
-void Foam::SpinningCloud<CloudType>::restoreState()
-{
-    this->cloudReset(cloudCopyPtr_());
-    cloudCopyPtr_.clear();
 }
 
 
