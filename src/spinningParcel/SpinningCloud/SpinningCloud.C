@@ -365,65 +365,45 @@ void Foam::SpinningCloud<CloudType>::info()
 
     CloudType::info();
 
-    FixedList<scalar, 12> sums;
-    sums[0] = rotationalEnergyOfSystem();
-    sums[1] = counts_.magnus;
-    sums[2] = counts_.magnusOutside;
-    sums[3] = counts_.torque;
-    sums[4] = counts_.torqueOutside;
-    sums[5] = statistics_.nSteps;
-    sums[6] = statistics_.nForces;
-    sums[7] = statistics_.nForced;
-    sums[8] = statistics_.nPauses;
-    sums[9] = statistics_.nSlides;
-    sums[10] = statistics_.time;
-    sums[11] = statistics_.forcedTime;
-    for (scalar& sum : sums)
+    const auto total = [](const scalar x)
     {
-        reduce(sum, sumOp<scalar>());
-    }
-
-    const scalar maxForces =
-        returnReduce(statistics_.maxForces, maxOp<scalar>());
-
+        return returnReduce(x, sumOp<scalar>());
+    };
     if (rotation_)
     {
-        Info<< "    Rotational kinetic energy       = " << sums[0] << nl;
-        if (sums[1] > 0)
+        Info<< "    Rotational kinetic energy       = "
+            << total(rotationalEnergyOfSystem()) << nl;
+        const scalar nMagnus = total(counts_.magnus);
+        if (nMagnus > 0)
         {
             Info<< "    Magnus force beyond Re "
                 << impact::magnusLift::ReMax << " (its fit)  = "
-                << 100*sums[2]/sums[1] << " % of " << sums[1] << nl;
+                << 100*total(counts_.magnusOutside)/nMagnus << " % of "
+                << nMagnus << nl;
         }
-        if (sums[3] > 0)
+        const scalar nTorque = total(counts_.torque);
+        if (nTorque > 0)
         {
             Info<< "    Torque beyond spin Re "
                 << impact::rotationalTorque::ReMax << " (its fit) = "
-                << 100*sums[4]/sums[3] << " % of " << sums[3] << nl;
+                << 100*total(counts_.torqueOutside)/nTorque << " % of "
+                << nTorque << nl;
         }
     }
     if (heat_.valid())
     {
-        FixedList<scalar, 4> heats;
-        heats[0] = statistics_.heat;
-        heats[1] = statistics_.radiated;
         const Pair<scalar> now(heatOfSystem());
-        heats[2] = now.first();
-        heats[3] = now.second();
-        for (scalar& heat : heats)
-        {
-            reduce(heat, sumOp<scalar>());
-        }
-        const scalar mass =
-            returnReduce(this->massInSystem(), sumOp<scalar>());
+        const scalar mass = total(this->massInSystem());
 
         // An account closes to round-off with all its digits only
         const int digits = Sout.precision(IOstream::defaultPrecision());
         Info<< "    Mean temperature                = "
-            << heats[3]/max(mass, VSMALL) << nl
-            << "    Enthalpy                        = " << heats[2] << nl
-            << "    Heat from the gas, radiated     = " << heats[0] << ", "
-            << heats[1] << nl;
+            << total(now.second())/max(mass, VSMALL) << nl
+            << "    Enthalpy                        = " << total(now.first())
+            << nl
+            << "    Heat from the gas, radiated     = "
+            << total(statistics_.heat) << ", " << total(statistics_.radiated)
+            << nl;
         Sout.precision(digits);
     }
     if (collisions_.valid())
@@ -432,20 +412,26 @@ void Foam::SpinningCloud<CloudType>::info()
     }
     if (embedded_.valid())
     {
-        Info<< "    Sub-steps, forces per sub-step  = " << sums[5] << ", "
-            << sums[6]/max(sums[5], scalar(1)) << nl
-            << "    Most forces between two faces   = " << maxForces << nl
-            << "    uncontrolled, at rest           = " << sums[7] << ", "
-            << sums[8] << nl;
-        if (sums[9] > 0)
+        const scalar nSteps = total(statistics_.nSteps);
+        const scalar nSlides = total(statistics_.nSlides);
+        Info<< "    Sub-steps, forces per sub-step  = " << nSteps << ", "
+            << total(statistics_.nForces)/max(nSteps, scalar(1)) << nl
+            << "    Most forces between two faces   = "
+            << returnReduce(statistics_.maxForces, maxOp<scalar>()) << nl
+            << "    uncontrolled, at rest           = "
+            << total(statistics_.nForced) << ", " << total(statistics_.nPauses)
+            << nl;
+        if (nSlides > 0)
         {
-            Info<< "    Ways along faces between cells  = " << sums[9] << nl;
+            Info<< "    Ways along faces between cells  = " << nSlides << nl;
         }
-        if (sums[11] > 0.01*sums[10] && !warnedOfForced_)
+        const scalar time = total(statistics_.time);
+        const scalar forced = total(statistics_.forcedTime);
+        if (forced > 0.01*time && !warnedOfForced_)
         {
             warnedOfForced_ = true;
             WarningInFunction
-                << 100*sums[11]/sums[10] << " % of the time of the parcels of "
+                << 100*forced/time << " % of the time of the parcels of "
                 << this->name() << " has been followed without error control: "
                 << stepToFace::maxForces << " evaluations of the forces between"
                 << " two faces of cells were not enough" << nl
@@ -455,11 +441,9 @@ void Foam::SpinningCloud<CloudType>::info()
     }
     if (eddies_.valid())
     {
-        const scalar nEddies =
-            returnReduce(eddies_->nEddies(), sumOp<scalar>());
-        const scalar nTogether =
-            returnReduce(eddies_->nTogether(), sumOp<scalar>());
+        const scalar nEddies = total(eddies_->nEddies());
         Info<< "    Eddies met, taken together      = " << nEddies << ", "
-            << 100*nTogether/max(nEddies, scalar(1)) << " %" << nl;
+            << 100*total(eddies_->nTogether())/max(nEddies, scalar(1)) << " %"
+            << nl;
     }
 }

@@ -142,65 +142,63 @@ Foam::SpinningCloud<CloudType>::coreForcesOf()
         if (isA<MagnusForce<kinematicCloudType>>(force))
         {
             core.magnus = true;
-            continue;
         }
-        if (isA<GravityForce<kinematicCloudType>>(force))
+        else if (isA<GravityForce<kinematicCloudType>>(force))
         {
             core.gravity = true;
-            continue;
         }
-        if (isA<VirtualMassForce<kinematicCloudType>>(force))
+        else if (isA<VirtualMassForce<kinematicCloudType>>(force))
         {
             core.secondary.virtualMass = force.coeffs().getScalar("Cvm");
-            continue;
         }
-        if (isA<PressureGradientForce<kinematicCloudType>>(force))
+        else if (isA<PressureGradientForce<kinematicCloudType>>(force))
         {
             core.secondary.pressureGradient = true;
-            continue;
         }
-        if (isA<SaffmanMeiLiftForce<kinematicCloudType>>(force))
+        else if (isA<SaffmanMeiLiftForce<kinematicCloudType>>(force))
         {
             core.secondary.shearLift = true;
-            continue;
         }
-        if (isA<NonInertialFrameForce<kinematicCloudType>>(force))
+        else if (isA<NonInertialFrameForce<kinematicCloudType>>(force))
         {
             setFrame(force.coeffs(), core.secondary);
-            continue;
         }
-        if (isA<SRFForce<kinematicCloudType>>(force))
+        else if (isA<SRFForce<kinematicCloudType>>(force))
         {
             setRotatingFrame(force.coeffs(), core.secondary);
-            continue;
         }
-        const dragType* law = dynamic_cast<const dragType*>(&force);
-        const bool first = !core.drag;
-        if (first && law)
+        else if (core.drag)
         {
-            core.gas = law->gas();
-            if (law->uniformGas())
+            core.all = false;
+        }
+        else
+        {
+            if (const auto* law = dynamic_cast<const dragType*>(&force))
             {
-                core.drag = &law->drag();
-                core.gammaR = law->gammaR();
+                core.gas = law->gas();
+                if (law->uniformGas())
+                {
+                    core.drag = &law->drag();
+                    core.gammaR = law->gammaR();
+                }
             }
-        }
-        else if (first && isA<SphereDragForce<kinematicCloudType>>(force))
-        {
-            core.drag = &stockDrag;
-        }
-        else if (first && isA<NonSphereDragForce<kinematicCloudType>>(force))
-        {
-            if (!nonSphereDrag_)
+            else if (isA<SphereDragForce<kinematicCloudType>>(force))
             {
-                impact::dragLaw::coefficients c;
-                c.numbers["sphericity"] = force.coeffs().getScalar("phi");
-                nonSphereDrag_ =
-                    impact::dragLaw::New("haiderLevenspielDrag", c);
+                core.drag = &stockDrag;
             }
-            core.drag = nonSphereDrag_.get();
+            else if (isA<NonSphereDragForce<kinematicCloudType>>(force))
+            {
+                if (!nonSphereDrag_)
+                {
+                    impact::dragLaw::coefficients c;
+                    c.numbers["sphericity"] = force.coeffs().getScalar("phi");
+                    nonSphereDrag_ =
+                        impact::dragLaw::New("haiderLevenspielDrag", c);
+                }
+                core.drag = nonSphereDrag_.get();
+            }
+            core.all = core.all && core.drag;
         }
-        core.all = core.all && first && core.drag;
     }
     return core;
 }
