@@ -78,52 +78,11 @@ void Foam::ParcelMotion<CloudType, Force>::meetEddy(const cellGas::field& gas)
 
 template<class CloudType, class Force>
 typename Foam::ParcelMotion<CloudType, Force>::outcome
-Foam::ParcelMotion<CloudType, Force>::step(const State& begin)
-{
-    const cellGas::field& gas = placeForce();
-    label ahead = -1;
-    const scalar exit = cells_.exitTime
-    (
-        cell_, x_, impact::multiply(moving_, begin.v), remaining(), ahead
-    );
-    const scalar gasSpeed = impact::mag(force_.here().u);
-    const scalar left =
-        eddies_ ? min(remaining(), p_.tTurb()) : remaining();
-    const outcome o = cloud_.embedded().step
-    (
-        force_,
-        begin,
-        gasSpeed,
-        impact::mag(force_.here().spin),
-        min
-        (
-            stepToFace::longest
-            (
-                left, exit, gas.length, mag(p_.U()), gasSpeed
-            ),
-            face_ < 0
-          ? GREAT : faceSlide::longest(gas, begin.v, force_.here().u)
-        ),
-        hTry_,
-        max(left_ - stepToFace::kept, label(3))
-    );
-    left_ -= o.nForce;
-    hTry_ = o.hNext;
-    auto& statistics = cloud_.statistics();
-    ++statistics.nSteps;
-    statistics.nForces += o.nForce;
-    statistics.nForced += o.forced;
-    return o;
-}
-
-
-template<class CloudType, class Force>
-typename Foam::ParcelMotion<CloudType, Force>::State
-Foam::ParcelMotion<CloudType, Force>::again
+Foam::ParcelMotion<CloudType, Force>::substep
 (
     const State& begin,
-    const bool forced,
-    scalar& t
+    const scalar hMax,
+    const scalar hTry
 )
 {
     const outcome o = cloud_.embedded().step
@@ -132,16 +91,41 @@ Foam::ParcelMotion<CloudType, Force>::again
         begin,
         impact::mag(force_.here().u),
         impact::mag(force_.here().spin),
-        t,
-        t,
+        hMax,
+        hTry,
         max(left_ - stepToFace::kept, label(3))
     );
     left_ -= o.nForce;
     hTry_ = o.hNext;
     cloud_.statistics().nForces += o.nForce;
-    cloud_.statistics().nForced += o.forced && !forced;
-    t = o.h;
-    return o.state;
+    return o;
+}
+
+
+template<class CloudType, class Force>
+typename Foam::ParcelMotion<CloudType, Force>::outcome
+Foam::ParcelMotion<CloudType, Force>::step(const State& begin)
+{
+    const cellGas::field& gas = placeForce();
+    label ahead = -1;
+    const scalar exit = cells_.exitTime
+    (
+        cell_, x_, impact::multiply(moving_, begin.v), remaining(), ahead
+    );
+    const impact::vector3& u = force_.here().u;
+    scalar hMax = stepToFace::longest
+    (
+        eddies_ ? min(remaining(), p_.tTurb()) : remaining(),
+        exit, gas.length, mag(p_.U()), impact::mag(u)
+    );
+    if (face_ >= 0)
+    {
+        hMax = min(hMax, faceSlide::longest(gas, begin.v, u));
+    }
+    const outcome o = substep(begin, hMax, hTry_);
+    ++cloud_.statistics().nSteps;
+    cloud_.statistics().nForced += o.forced;
+    return o;
 }
 
 
@@ -174,7 +158,10 @@ Foam::ParcelMotion<CloudType, Force>::follow
            !stepToFace::onParabola(cloud_.embedded(), begin, o, tau, a.state)
         )
         {
-            a.state = again(begin, o.forced, a.t);
+            const outcome again = substep(begin, a.t, a.t);
+            cloud_.statistics().nForced += again.forced && !o.forced;
+            a.t = again.h;
+            a.state = again.state;
         }
         if (a.t < tau*o.h)
         {
@@ -421,14 +408,7 @@ Foam::ParcelMotion<CloudType, Force>::ParcelMotion
     cells_(cloud.cells()),
     moving_(toCore(cells_.moving())),
     watched_(cloud.watched()),
-    eddies_(cloud.eddies()),
-    x_{0, 0, 0},
-    cell_(-1),
-    face_(-1),
-    left_(stepToFace::maxForces),
-    stalls_(0),
-    hits_(0),
-    hTry_(GREAT)
+    eddies_(cloud.eddies())
 {
     p.locate(cells_, x_, cell_);
     p.setFlight({});
