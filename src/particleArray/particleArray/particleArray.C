@@ -3,9 +3,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "particleArray.H"
-#include "PstreamBuffers.H"
-#include "UIPstream.H"
-#include "UOPstream.H"
 
 #include <cstring>
 
@@ -16,8 +13,7 @@ Foam::particleArray<Payload>::particleArray(const convexCells& cells)
 :
     cells_(cells),
     start_(cells.size() + 1, 0),
-    outgoing_(Pstream::nProcs()),
-    nLost_(0)
+    outgoing_(Pstream::nProcs())
 {
     cells.refuseUnknownPairs();
 }
@@ -54,9 +50,7 @@ void Foam::particleArray<Payload>::walk
         if (place == -1)
         {
             x = x + time*u;
-            x_[i] = x.x;
-            y_[i] = x.y;
-            z_[i] = x.z;
+            setPosition(i, x);
             cell_[i] = celli;
             return;
         }
@@ -90,9 +84,7 @@ void Foam::particleArray<Payload>::walk
             }
             case convexCells::wall:
             {
-                x_[i] = x.x;
-                y_[i] = x.y;
-                z_[i] = x.z;
+                setPosition(i, x);
                 cell_[i] = celli;
                 const impact::vector3 n = cells_.normal(place);
                 if (!boundary.hitWall(i, facei, n, nHits++, time))
@@ -131,18 +123,14 @@ void Foam::particleArray<Payload>::walk
             case convexCells::processor:
             {
                 x = x + face.shift;
-                x_[i] = x.x;
-                y_[i] = x.y;
-                z_[i] = x.z;
+                setPosition(i, x);
                 send(i, facei, time);
                 cell_[i] = -1;
                 return;
             }
             case convexCells::open:
             {
-                x_[i] = x.x;
-                y_[i] = x.y;
-                z_[i] = x.z;
+                setPosition(i, x);
                 boundary.leave(i, facei);
                 cell_[i] = -1;
                 return;
@@ -164,68 +152,32 @@ void Foam::particleArray<Payload>::send
 )
 {
     const convexCells::boundaryFace& face = cells_.boundary()[boundaryFacei];
-    DynamicList<char>& out = outgoing_[face.processor];
-    const auto put = [&out](const auto& value)
+    std::string& out = outgoing_[face.processor];
+    rankMail::append(out, std::int32_t(face.mate));
+    rankMail::append(out, time);
+    forEach([&](const char*, const auto& array)
     {
-        const label at = out.size();
-        out.setSize(at + sizeof(value));
-        std::memcpy(&out[at], &value, sizeof(value));
-    };
-    put(std::int32_t(face.mate));
-    put(time);
-    forEach([&](const char*, const auto& array) { put(array[i]); });
+        rankMail::append(out, array[i]);
+    });
 }
 
 
 template<class Payload>
 template<class Boundary>
-void Foam::particleArray<Payload>::exchange
-(
-    const scalar dt,
-    Boundary& boundary
-)
+void Foam::particleArray<Payload>::exchange(Boundary& boundary)
 {
     if (!Pstream::parRun())
     {
         return;
     }
 
-    while (true)
+    while (rankMail::any(outgoing_))
     {
-        bool any = false;
-        for (const auto& out : outgoing_)
-        {
-            any = any || out.size();
-        }
-        if (!returnReduce(any, orOp<bool>()))
-        {
-            return;
-        }
-
-        PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
-        forAll(outgoing_, proci)
-        {
-            if (outgoing_[proci].size())
-            {
-                UOPstream stream(proci, buffers);
-                stream<< static_cast<const List<char>&>(outgoing_[proci]);
-                outgoing_[proci].clear();
-            }
-        }
-        labelList sizes;
-        buffers.finishedSends(sizes);
-
         const label first = size();
         std::vector<double> times;
-        forAll(sizes, proci)
+        for (const std::string& bytes : rankMail::exchange(outgoing_))
         {
-            if (!sizes[proci])
-            {
-                continue;
-            }
-            UIPstream stream(proci, buffers);
-            const List<char> bytes(stream);
-            const char* p = bytes.cdata();
+            const char* p = bytes.data();
             const char* last = p + bytes.size();
             const auto get = [&p](auto& value)
             {
@@ -340,9 +292,7 @@ Foam::label Foam::particleArray<Payload>::append
     fraction_.push_back(fraction);
 
     const label i = size() - 1;
-    x_[i] = x.x;
-    y_[i] = x.y;
-    z_[i] = x.z;
+    setPosition(i, x);
     setVelocity(i, u);
     return i;
 }
@@ -378,6 +328,6 @@ void Foam::particleArray<Payload>::move(const scalar dt, Boundary& boundary)
     {
         walk(nSorted + k, fraction_[k]*dt, boundary);
     }
-    exchange(dt, boundary);
+    exchange(boundary);
     sort();
 }

@@ -3,11 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "cellGas.H"
-#include "PstreamBuffers.H"
-#include "UIPstream.H"
-#include "UOPstream.H"
-
-#include <cstring>
+#include "rankMail.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -33,7 +29,12 @@ void Foam::cellGas::lookBeyond()
         beyond_.resize(n);
     }
 
-    List<DynamicList<char>> outgoing(Pstream::nProcs());
+    struct letter
+    {
+        label face;
+        field gas;
+    };
+    rankMail::post outgoing(Pstream::nProcs());
     for (const auto& face : faces)
     {
         if (!joined(face))
@@ -48,47 +49,20 @@ void Foam::cellGas::lookBeyond()
             beyond_[beyondOf_[face.mate]] = f;
             continue;
         }
-        DynamicList<char>& out = outgoing[face.processor];
-        const label at = out.size();
-        out.setSize(at + sizeof(face.mate) + sizeof(f));
-        std::memcpy(&out[at], &face.mate, sizeof(face.mate));
-        std::memcpy(&out[at + sizeof(face.mate)], &f, sizeof(f));
+        rankMail::append(outgoing[face.processor], letter{face.mate, f});
     }
     if (!Pstream::parRun())
     {
         return;
     }
 
-    PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
-    forAll(outgoing, proci)
+    std::vector<letter> letters;
+    for (const std::string& bytes : rankMail::exchange(outgoing))
     {
-        if (outgoing[proci].size())
-        {
-            UOPstream stream(proci, buffers);
-            stream << static_cast<const List<char>&>(outgoing[proci]);
-        }
+        rankMail::take(bytes, letters);
     }
-    labelList sizes;
-    buffers.finishedSends(sizes);
-    forAll(sizes, proci)
+    for (const letter& l : letters)
     {
-        if (!sizes[proci])
-        {
-            continue;
-        }
-        UIPstream stream(proci, buffers);
-        const List<char> bytes(stream);
-        const char* p = bytes.cdata();
-        const char* last = p + bytes.size();
-        while (p < last)
-        {
-            label facei;
-            std::memcpy(&facei, p, sizeof(facei));
-            std::memcpy
-            (
-                &beyond_[beyondOf_[facei]], p + sizeof(facei), sizeof(field)
-            );
-            p += sizeof(facei) + sizeof(field);
-        }
+        beyond_[beyondOf_[l.face]] = l.gas;
     }
 }

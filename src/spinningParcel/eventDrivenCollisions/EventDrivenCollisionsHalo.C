@@ -125,16 +125,7 @@ void Foam::EventDrivenCollisions<CloudType>::read(const request& n, post& out)
 template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::deliver(post& out)
 {
-    const auto any = [&]()
-    {
-        bool some = false;
-        for (const std::string& bytes : out)
-        {
-            some = some || !bytes.empty();
-        }
-        return returnReduce(some, orOp<bool>());
-    };
-    while (any())
+    while (rankMail::any(out))
     {
         for (const std::string& bytes : rankMail::exchange(out))
         {

@@ -4,6 +4,7 @@
 
 #include "rankMail.H"
 #include "PstreamBuffers.H"
+#include "PstreamReduceOps.H"
 #include "UIPstream.H"
 #include "UOPstream.H"
 
@@ -55,6 +56,16 @@ void Foam::rankMail::receive
             std::min(maxBytes, n - i)
         );
     }
+}
+
+
+bool Foam::rankMail::any(const post& out)
+{
+    const auto some = [](const std::string& bytes) { return !bytes.empty(); };
+    return returnReduce
+    (
+        std::any_of(out.begin(), out.end(), some), orOp<bool>()
+    );
 }
 
 
