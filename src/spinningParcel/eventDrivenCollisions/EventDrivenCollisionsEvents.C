@@ -20,7 +20,7 @@ Foam::EventDrivenCollisions<CloudType>::next
 )
 {
     const bool often = ++c.events > maxFreeEvents;
-    mission m(often && rests ? HOLD : free, t);
+    mission m{often && rests ? HOLD : free, t};
     m.free = free;
     m.slow = c.events > maxRestEvents ? GREAT : atRest(pull);
     return m;
@@ -44,7 +44,7 @@ void Foam::EventDrivenCollisions<CloudType>::collide
     bool resting = false;
     const auto arrival = [&](trajectory& c)
     {
-        mission m(c.resting ? END_REST : ARRIVE, t);
+        mission m{c.resting ? END_REST : ARRIVE, t};
         m.path = c.path;
         if (c.held)
         {
@@ -145,7 +145,7 @@ bool Foam::EventDrivenCollisions<CloudType>::hitWall
     trajectory& c = at(i);
     if (c.resting)
     {
-        mission m(END_REST, t);
+        mission m{END_REST, t};
         m.path = c.path;
         fly(c, m);
         c.pull = m.pull >= 0 ? m.pull : c.pull;
@@ -165,8 +165,7 @@ bool Foam::EventDrivenCollisions<CloudType>::hitWall
     const bool rests = ++c.hits > 8;
     mission m = next(c, rests ? REST : PLAN, rests, t, c.pull);
     c.home = commitLegs(c, m.keep);
-    request r(HIT, c.home.slot, m);
-    response done = ask(c.home.rank, r);
+    response done = ask(c.home.rank, {HIT, c.home.slot, m});
     c.gone = done.gone;
     if (c.gone)
     {

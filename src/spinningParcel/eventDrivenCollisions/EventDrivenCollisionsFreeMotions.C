@@ -19,7 +19,7 @@ void Foam::EventDrivenCollisions<CloudType>::admit
     checkNumber(nParticle, d, x);
     largest_ = max(largest_, d);
     anyNew_ = anyNew_ || injected;
-    freeMotions_.emplace_back(p, injected);
+    freeMotions_.push_back({p, injected});
 }
 
 
@@ -98,7 +98,7 @@ void Foam::EventDrivenCollisions<CloudType>::regroup()
         {
             if (p.active())
             {
-                freeMotions_.emplace_back(nullptr, injected[&p]);
+                freeMotions_.push_back({nullptr, injected[&p]});
             }
         }
         cloud_.pack(cloud_.cells());
@@ -119,7 +119,7 @@ void Foam::EventDrivenCollisions<CloudType>::regroup()
     {
         if (f.parcel)
         {
-            freeMotions_.emplace_back(f.parcel, f.injected);
+            freeMotions_.push_back({f.parcel, f.injected});
         }
     }
     flights_.clear();
@@ -260,7 +260,7 @@ Foam::EventDrivenCollisions<CloudType>::at(const std::int32_t i)
     }
     const std::int32_t slot = flightOf(i);
     flight& f = flights_[slot];
-    mission m(PLAN, 0);
+    mission m{PLAN, 0};
     if (inBlocks_)
     {
         f.start = startOf(i);
@@ -272,13 +272,6 @@ Foam::EventDrivenCollisions<CloudType>::at(const std::int32_t i)
     c.handedOn = !plan(f, m);
     c.identity = identityOf(*f.parcel);
     c.radius = 0.5*f.parcel->d();
-    c.firstHit = -GREAT;
-    c.hits = 0;
-    c.events = 0;
-    c.held = false;
-    c.shared = false;
-    c.gone = false;
-    c.pull = 0;
     c.home = {Pstream::myProcNo(), slot};
     adoptPlan(c, m);
     trajectoryOf_[i] = trajectories_.size();
@@ -293,7 +286,7 @@ std::int32_t Foam::EventDrivenCollisions<CloudType>::addOther
     const trajectory& c
 )
 {
-    freeMotions_.emplace_back(nullptr, false);
+    freeMotions_.push_back({nullptr, false});
     trajectoryOf_.push_back(trajectories_.size());
     trajectories_.push_back(c);
     return std::int32_t(freeMotions_.size()) - 1;

@@ -71,9 +71,9 @@ void Foam::EventDrivenCollisions<CloudType>::passOn
     post& out
 )
 {
-    response packed(slot, m);
+    response packed{slot, m};
     pack(f, packed, false);
-    request n(RECEIVE, 0, packed.m);
+    request n{RECEIVE, 0, packed.m};
     n.patch = packed.toPatch;
     n.bufferSize = packed.bufferSize;
     n.home = home;
@@ -92,14 +92,14 @@ void Foam::EventDrivenCollisions<CloudType>::read(const request& n, post& out)
         {
             unpack(n);
             const label slot = label(flights_.size()) - 1;
-            request link(LINK, n.next.slot, n.m);
+            request link{LINK, n.next.slot, n.m};
             link.next = {Pstream::myProcNo(), slot};
             write(out, n.next.rank, link);
             mission m = n.m;
             flight& f = flights_[slot];
             if (plan(f, m))
             {
-                write(out, n.home.rank, request(PASS, n.home.slot, m));
+                write(out, n.home.rank, request{PASS, n.home.slot, m});
             }
             else
             {
@@ -131,7 +131,7 @@ void Foam::EventDrivenCollisions<CloudType>::deliver(post& out)
         {
             for (std::size_t at = 0; at < bytes.size();)
             {
-                request n(LINK, 0, mission(PLAN, 0));
+                request n{LINK, 0, {PLAN, 0}};
                 std::memcpy(static_cast<void*>(&n), &bytes[at], sizeof(n));
                 at += sizeof(n);
                 buffer_.assign(bytes, at, n.bufferSize);
@@ -152,7 +152,7 @@ void Foam::EventDrivenCollisions<CloudType>::handOn()
         const trajectory* c = known(i);
         if (c && c->handedOn)
         {
-            mission m(PLAN, 0);
+            mission m{PLAN, 0};
             m.begun = true;
             m.path = c->path;
             m.end = deltaT_;
@@ -237,16 +237,16 @@ void Foam::EventDrivenCollisions<CloudType>::commit
     post& out
 )
 {
-    mission m(PLAN, deltaT_);
+    mission m{PLAN, deltaT_};
     m.keep = keep;
-    const response done = answer(request(COMMIT, slot, m));
+    const response done = answer(request{COMMIT, slot, m});
     if (done.next.rank < 0)
     {
         settleHere(flights_[slot]);
         return;
     }
     m.keep = done.m.keep;
-    write(out, done.next.rank, request(COMMIT, done.next.slot, m));
+    write(out, done.next.rank, request{COMMIT, done.next.slot, m});
 }
 
 

@@ -130,7 +130,7 @@ void Foam::EventDrivenCollisions<CloudType>::displaceMember
 {
     trajectory c;
     c.home = a.where;
-    mission m(DISPLACE, 0);
+    mission m{DISPLACE, 0};
     m.way = way;
     m.injected = a.injected;
     fly(c, m);
@@ -188,8 +188,7 @@ Foam::labelPair Foam::EventDrivenCollisions<CloudType>::part
             // The later of the two goes
             const member& late = b.injected ? b : a;
             removed[late.identity] = true;
-            request r(REMOVE, late.where.slot, mission(PLAN, 0));
-            ask(late.where.rank, r);
+            ask(late.where.rank, {REMOVE, late.where.slot, {PLAN, 0}});
             continue;
         }
         vector along(Zero);

@@ -122,7 +122,7 @@ template<class CloudType>
 typename Foam::EventDrivenCollisions<CloudType>::response
 Foam::EventDrivenCollisions<CloudType>::answer(const request& r)
 {
-    response out(r.slot, r.m);
+    response out{r.slot, r.m};
     if (r.kind == RECEIVE)
     {
         unpack(r);
@@ -238,7 +238,7 @@ bool Foam::EventDrivenCollisions<CloudType>::hit(flight& f, response& out)
 
 template<class CloudType>
 typename Foam::EventDrivenCollisions<CloudType>::response
-Foam::EventDrivenCollisions<CloudType>::ask(const label rank, request& r)
+Foam::EventDrivenCollisions<CloudType>::ask(const label rank, request r)
 {
     if (rank == Pstream::myProcNo())
     {
@@ -247,7 +247,7 @@ Foam::EventDrivenCollisions<CloudType>::ask(const label rank, request& r)
     r.bufferSize = r.kind == RECEIVE ? buffer_.size() : 0;
     rankMail::send(rank, &r, sizeof(r));
     rankMail::send(rank, buffer_.data(), r.bufferSize);
-    response out(0, r.m);
+    response out{0, r.m};
     rankMail::receive(rank, &out, sizeof(out));
     buffer_.resize(out.bufferSize);
     rankMail::receive(rank, &buffer_[0], out.bufferSize);
@@ -258,7 +258,7 @@ Foam::EventDrivenCollisions<CloudType>::ask(const label rank, request& r)
 template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::serve(const label leader)
 {
-    request r(FINISH, 0, mission(PLAN, 0));
+    request r{FINISH, 0, {PLAN, 0}};
     while (true)
     {
         rankMail::receive(leader, &r, sizeof(r));
@@ -278,7 +278,7 @@ void Foam::EventDrivenCollisions<CloudType>::serve(const label leader)
 template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::dismiss()
 {
-    request r(FINISH, 0, mission(PLAN, 0));
+    request r{FINISH, 0, {PLAN, 0}};
     r.bufferSize = buffer_.size();
     for (label rank = 0; rank < Pstream::nProcs(); ++rank)
     {
@@ -295,8 +295,7 @@ template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::fly(trajectory& c, mission& m)
 {
     c.handedOn = false;
-    request r(MOVE, c.home.slot, m);
-    response out = ask(c.home.rank, r);
+    response out = ask(c.home.rank, {MOVE, c.home.slot, m});
     follow(c, m, out);
 }
 
@@ -333,7 +332,7 @@ void Foam::EventDrivenCollisions<CloudType>::follow
 
         // A parcel on the other side of a period goes on as a whole
         const bool whole = takesParcel(out.m) || !out.m.begun;
-        request r(RECEIVE, 0, out.m);
+        request r{RECEIVE, 0, out.m};
         r.patch = out.toPatch;
         out = ask(rank, r);
         const leg here{rank, out.slot};
@@ -345,7 +344,7 @@ void Foam::EventDrivenCollisions<CloudType>::follow
         {
             // A message between its parts must not meet the parcel in buffer_
             const std::string parcel = buffer_;
-            request link(LINK, last.slot, out.m);
+            request link{LINK, last.slot, out.m};
             link.next = here;
             ask(last.rank, link);
             buffer_ = parcel;
@@ -356,11 +355,10 @@ void Foam::EventDrivenCollisions<CloudType>::follow
     m = out.m;
     if (m.kind == REST && m.halt && m.crossings > 0)
     {
-        mission stop(DISPLACE, m.t);
+        mission stop{DISPLACE, m.t};
         stop.setU = true;
         stop.omega = m.omega;
-        request r(MOVE, c.home.slot, stop);
-        ask(c.home.rank, r);
+        ask(c.home.rank, {MOVE, c.home.slot, stop});
     }
 }
 
@@ -368,8 +366,7 @@ void Foam::EventDrivenCollisions<CloudType>::follow
 template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::resume(trajectory& c, mission& m)
 {
-    request r(PASS, c.home.slot, m);
-    response out = ask(c.home.rank, r);
+    response out = ask(c.home.rank, {PASS, c.home.slot, m});
     follow(c, m, out);
     adoptPlan(c, m);
 }
@@ -407,10 +404,9 @@ Foam::EventDrivenCollisions<CloudType>::commitLegs(trajectory& c, bool& keep)
     leg here = c.home;
     while (c.handedOn)
     {
-        mission m(PLAN, 0);
+        mission m{PLAN, 0};
         m.keep = keep;
-        request r(COMMIT, here.slot, m);
-        const response out = ask(here.rank, r);
+        const response out = ask(here.rank, {COMMIT, here.slot, m});
         keep = out.m.keep;
         if (out.next.rank < 0)
         {
