@@ -23,8 +23,7 @@ Foam::cellPlanes::plane::plane
     const label behind
 )
 :
-    target(behind),
-    face(-1)
+    target(behind)
 {
     // What is normal to an axis but for rounding is so to the last bit:
     // convexCells::buildBounds
@@ -287,7 +286,6 @@ Foam::cellPlanes::cellPlanes
     mesh_(mesh),
     triangles_(triangles),
     split_(split),
-    nSplit_(0),
     boundaryCells(mesh.nFaces() - mesh.nInternalFaces())
 {
     number();

@@ -250,9 +250,7 @@ void Foam::convexCells::buildBoundary()
 Foam::convexCells::convexCells(const polyMesh& mesh, const boolList& others)
 :
     mesh_(mesh),
-    triangles_(mesh),
-    nSplit_(0),
-    moving_(vector::one)
+    triangles_(mesh)
 {
     boolList split(cellsToSplit());
     forAll(others, celli)

@@ -37,9 +37,7 @@ Foam::solidCloud::solidCloud
             IOobject::READ_IF_PRESENT,
             IOobject::NO_WRITE
         )
-    ),
-    n_(Zero),
-    Uw_(Zero)
+    )
 {
     wallImpacts::New(*this).setMaterial(heat_);
     const dictionary* functions = findBlock(dict, "cloudFunctions");

@@ -181,10 +181,7 @@ Foam::solidFields::solidFields
     mass_(mass),
     start_(getNumber(dict, "start", validRange::time, scalar(0))),
     every_(getNumber<label>(dict, "every", validRange::count, 1)),
-    trials_(getNumber<label>(dict, "trials", "[1, 1000]", 1)),
-    asked_{},
-    nSteps_(0),
-    duration_(0)
+    trials_(getNumber<label>(dict, "trials", "[1, 1000]", 1))
 {
     refuseOthers(dict, {"start", "every", "trials", "fields"});
     warnOfLateStart(dict, mesh.time(), start_, every_);

@@ -172,9 +172,7 @@ Foam::solidInterface::solidInterface
     origin_
     (
         getComponents(dict, "origin", validRange::coordinate, vector(Zero))
-    ),
-    duration_(0),
-    recording_(false)
+    )
 {
     refuseOthers(dict, {"patches", "start", "sectors", "origin"});
     warnOfLateStart(dict, mesh.time(), start_);

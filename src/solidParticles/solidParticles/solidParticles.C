@@ -414,25 +414,12 @@ Foam::solidParticles::solidParticles
             IOobject::NO_WRITE
         )
     ),
-    seed_(0),
-    material_{},
     particles_(cells),
-    nNamed_(0),
-    nHolding_(0),
     reportEvery_
     (
         getNumber<label>(properties_, "reportEvery", validRange::count, 10)
     ),
-    hits_(0),
-    nLostBefore_(0),
-    nStart_(0),
-    deposits_(mesh.boundaryMesh().size()),
-    duration_(0),
-    momentumError_(0),
-    energyError_(0),
-    moveTime_(0),
-    exchangeTime_(0),
-    warnedOfLight_(false)
+    deposits_(mesh.boundaryMesh().size())
 {
     refuseOthers
     (

@@ -239,7 +239,6 @@ Foam::SpinningCloud<CloudType>::SpinningCloud
 )
 :
     CloudType(cloudName, rho, U, mu, g, false),
-    rotation_(true),
     ETrans_
     (
         new volScalarField::Internal

@@ -246,7 +246,6 @@ Foam::EventDrivenCollisions<CloudType>::EventDrivenCollisions
             dict, "dimension", "[2, 3]", label(cloud.mesh().nGeometricD())
         )
     ),
-    slabThickness_(1),
     separate_
     (
         getWord(dict, "overlappingInjection", {"refuse", "separate"})
@@ -254,20 +253,8 @@ Foam::EventDrivenCollisions<CloudType>::EventDrivenCollisions
     ),
     step_(domain(dict, cloud.mesh()), duration_, maxEvents),
     planned_(cloud),
-    inBlocks_(false),
-    exchanging_(false),
-    together_(true),
-    reach_(0),
-    largest_(0),
-    anyNew_(false),
     bounds_(cloud.mesh().bounds()),
-    directions_(vector::one),
-    nKnown_(nActive()),
-    td_(nullptr),
-    deltaT_(0),
-    totals_(scalar(0)),
-    deepest_(0),
-    work_(scalar(0))
+    nKnown_(nActive())
 {
     const polyMesh& mesh = cloud.mesh();
     for (label k = 0; k < 3; ++k)

@@ -89,11 +89,7 @@ Foam::heatTransfer::heatTransfer
 :
     mesh_(mesh),
     models_(cloudProperties.subDict("subModels")),
-    thermoName_(basicThermo::dictName),
-    Cv_(0),
-    gammaR_(0),
-    CpOverPr_(0),
-    TEvent_(-2)
+    thermoName_(basicThermo::dictName)
 {
     const dictionary& d = cloudProperties.subDict("constantProperties");
     T0_ = getNumber(d, "T0", validRange::temperature);

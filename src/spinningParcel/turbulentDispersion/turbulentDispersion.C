@@ -17,11 +17,7 @@ Foam::turbulentDispersion::turbulentDispersion
 )
 :
     U_(U),
-    models_(models),
-    seed_(0),
-    shortest_(0),
-    nEddies_(0),
-    nTogether_(0)
+    models_(models)
 {
     const word coeffs("stochasticDispersionRASCoeffs");
     if (const dictionary* dict = models.findDict(coeffs))
