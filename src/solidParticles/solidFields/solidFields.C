@@ -13,10 +13,6 @@ namespace Foam
     static const word phase(".solids");
     static const word stateName("solidFieldsMean");
 
-    //- Surface fields, in the order of the sums
-    static const char* const surfaceNames[] =
-        {"numberFlux", "massFlux", "energyFlux", "impactT"};
-
     static const dimensionSet rateDimensions(1, -2, -2, 0, 0);
     static const dimensionSet energyRateDimensions(1, -1, -3, 0, 0);
 }
@@ -27,81 +23,42 @@ namespace Foam
 void Foam::solidFields::makeFields(const bool read)
 {
     const label nGroups = mass_.size();
-    if (particlesAsked())
+    const auto add = [&](auto& list, const word& name, const dimensionSet& unit)
     {
-        for (label g = 0; g <= nGroups; ++g)
+        typedef typename std::decay_t<decltype(list[0])>::value_type Type;
+        list.append(sampledField<Type>(mesh_, name, unit, read));
+    };
+    for (label g = 0; particlesAsked() && g <= nGroups; ++g)
+    {
+        const word end(g < nGroups ? word(phase + Foam::name(g)) : phase);
+        add(n_, "numberDensity" + end, dimless/dimVolume);
+        if (asked_[concentration])
         {
-            const word end(g < nGroups ? word(phase + Foam::name(g)) : phase);
-            n_.append
-            (
-                sampledField<scalar>
-                (
-                    mesh_, "numberDensity" + end, dimless/dimVolume, read
-                )
-            );
-            if (asked_[concentration])
-            {
-                rho_.append
-                (
-                    sampledField<scalar>
-                    (
-                        mesh_, "concentration" + end, dimDensity, read
-                    )
-                );
-            }
-            if (asked_[velocity])
-            {
-                U_.append
-                (
-                    sampledField<vector>(mesh_, "U" + end, dimVelocity, read)
-                );
-            }
-            if (asked_[temperature])
-            {
-                T_.append
-                (
-                    sampledField<scalar>(mesh_, "T" + end, dimTemperature, read)
-                );
-            }
+            add(rho_, "concentration" + end, dimDensity);
+        }
+        if (asked_[velocity])
+        {
+            add(U_, "U" + end, dimVelocity);
+        }
+        if (asked_[temperature])
+        {
+            add(T_, "T" + end, dimTemperature);
         }
     }
     if (asked_[exchange])
     {
         for (const word& end : {phase, word(".gas")})
         {
-            momentumRate_.append
-            (
-                sampledField<vector>
-                (
-                    mesh_, "momentumRate" + end, rateDimensions, read
-                )
-            );
-            energyRate_.append
-            (
-                sampledField<scalar>
-                (
-                    mesh_, "energyRate" + end, energyRateDimensions, read
-                )
-            );
+            add(momentumRate_, "momentumRate" + end, rateDimensions);
+            add(energyRate_, "energyRate" + end, energyRateDimensions);
         }
     }
     if (asked_[surface])
     {
-        const dimensionSet dimensions[] =
-        {
-            dimless/dimArea/dimTime, dimMass/dimArea/dimTime,
-            dimEnergy/dimArea/dimTime, dimTemperature
-        };
-        for (label k = 0; k < 4; ++k)
-        {
-            surface_.append
-            (
-                sampledField<scalar>
-                (
-                    mesh_, surfaceNames[k] + phase, dimensions[k], read
-                )
-            );
-        }
+        add(surface_, "numberFlux" + phase, dimless/dimArea/dimTime);
+        add(surface_, "massFlux" + phase, dimMass/dimArea/dimTime);
+        add(surface_, "energyFlux" + phase, dimEnergy/dimArea/dimTime);
+        add(surface_, "impactT" + phase, dimTemperature);
     }
 }
 
@@ -219,12 +176,7 @@ Foam::solidFields::solidFields
 
     const IOdictionary state
     (
-        exactSums::state
-        (
-            mesh,
-            stateName,
-            IOobject::READ_IF_PRESENT
-        )
+        exactSums::state(mesh, stateName, IOobject::READ_IF_PRESENT)
     );
     const bool continued = state.found("nSteps");
     makeFields(continued);
@@ -339,20 +291,18 @@ void Foam::solidFields::update()
             }
         }
     }
-    for (PtrList<volScalarField>* list : {&n_, &rho_, &T_, &energyRate_})
+    const auto correct = [](auto&... lists)
     {
-        for (volScalarField& field : *list)
+        const auto all = [](auto& list)
         {
-            field.correctBoundaryConditions();
-        }
-    }
-    for (PtrList<volVectorField>* list : {&U_, &momentumRate_})
-    {
-        for (volVectorField& field : *list)
-        {
-            field.correctBoundaryConditions();
-        }
-    }
+            for (auto& field : list)
+            {
+                field.correctBoundaryConditions();
+            }
+        };
+        (all(lists), ...);
+    };
+    correct(n_, rho_, T_, energyRate_, U_, momentumRate_);
 
     forAll(surface_, k)
     {
