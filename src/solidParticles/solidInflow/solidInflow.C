@@ -404,7 +404,7 @@ Foam::solidInflow::solidInflow
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::label Foam::solidInflow::fill
+void Foam::solidInflow::fill
 (
     solidArray& particles,
     const std::uint64_t seed
@@ -412,7 +412,6 @@ Foam::label Foam::solidInflow::fill
 {
     const dictionary* block = findBlock(dict_, "fills");
     const dictionary fills(block ? *block : dictionary());
-    label total = 0;
     std::uint32_t number = 0;
     for (const entry& e : fills)
     {
@@ -493,15 +492,13 @@ Foam::label Foam::solidInflow::fill
                 particles.payload().nParticle[p] = real[g];
                 particles.payload().group[p] = g;
             }
-            total += n;
         }
     }
     particles.update();
-    return total;
 }
 
 
-Foam::label Foam::solidInflow::enter
+void Foam::solidInflow::enter
 (
     solidArray& particles,
     const scalar deltaT,
@@ -510,7 +507,6 @@ Foam::label Foam::solidInflow::enter
     const std::uint32_t step
 ) const
 {
-    label total = 0;
     for (std::size_t i = 0; i < sources_.size(); ++i)
     {
         const source& s = sources_[i];
@@ -559,8 +555,6 @@ Foam::label Foam::solidInflow::enter
                 particles.payload().nParticle[p] = s.number[g];
                 particles.payload().group[p] = g;
             }
-            total += n;
         }
     }
-    return total;
 }

@@ -64,33 +64,26 @@ void Foam::solidInterface::restore(const dictionary& dict)
             flatOutput(was)
         );
     }
-    const scalar start = state.getOrDefault<scalar>("start", start_);
-    if (duration_ > 0 && mag(start - start_) > 1e-12*mag(start))
+    const auto keep =
+        [&](const char* entry, const auto& now, const scalar tolerance)
+        {
+            typedef std::decay_t<decltype(now)> Type;
+            const Type was(state.getOrDefault<Type>(entry, now));
+            if (mag(was - now) > tolerance*mag(was))
+            {
+                refuse
+                (
+                    dict, entry, now, "that of the records before time ",
+                    mesh_.time().timeName(), ", ", was
+                );
+            }
+        };
+    if (duration_ > 0)
     {
-        refuse
-        (
-            dict, "start", start_, "that of the records before time ",
-            mesh_.time().timeName(), ", ", start
-        );
+        keep("start", start_, 1e-12);
     }
-    const scalar sectors = state.getOrDefault<scalar>("sectors", sectors_);
-    const vector origin(state.getOrDefault<vector>("origin", origin_));
-    if (mag(origin - origin_) > 1e-12*mag(origin))
-    {
-        refuse
-        (
-            dict, "origin", origin_, "that of the records before time ",
-            mesh_.time().timeName(), ", ", origin
-        );
-    }
-    if (sectors != sectors_)
-    {
-        refuse
-        (
-            dict, "sectors", sectors_, "that of the records before time ",
-            mesh_.time().timeName(), ", ", sectors
-        );
-    }
+    keep("origin", origin_, 1e-12);
+    keep("sectors", sectors_, 0);
     if (!(duration_ > 0) || !Pstream::master())
     {
         return;

@@ -17,6 +17,15 @@ std::int64_t Foam::solidParticles::nSimulators(const fate k) const
 }
 
 
+Foam::solidParticles::tally Foam::solidParticles::summed(tally t)
+{
+    reduce(t.simulators, sumOp<std::int64_t>());
+    reduce(t.number, sumOp<scalar>());
+    reduce(t.mass, sumOp<scalar>());
+    return t;
+}
+
+
 void Foam::solidParticles::describe() const
 {
     const label n = returnReduce(particles_.size(), sumOp<label>());
@@ -68,9 +77,7 @@ void Foam::solidParticles::report()
     {
         count(now, i);
     }
-    now.simulators = returnReduce(particles_.size(), sumOp<label>());
-    reduce(now.number, sumOp<scalar>());
-    reduce(now.mass, sumOp<scalar>());
+    now = summed(now);
 
     if (c.light && !warnedOfLight_)
     {
@@ -198,16 +205,13 @@ void Foam::solidParticles::writeTallies() const
 {
     IOdictionary state(exactSums::state(mesh_, stateName));
     state.add("density", material_.density);
-    const auto sums = [](tally t)
+    const auto sums = [](const tally& here)
     {
+        const tally t = summed(here);
         dictionary d;
-        d.add
-        (
-            "simulators",
-            scalar(returnReduce(t.simulators, sumOp<std::int64_t>()))
-        );
-        d.add("number", returnReduce(t.number, sumOp<scalar>()));
-        d.add("mass", returnReduce(t.mass, sumOp<scalar>()));
+        d.add("simulators", scalar(t.simulators));
+        d.add("number", t.number);
+        d.add("mass", t.mass);
         return d;
     };
     for (label k = 0; k < nFates; ++k)
@@ -247,18 +251,11 @@ void Foam::solidParticles::writeTallies() const
 
 void Foam::solidParticles::account(runSummary& summary) const
 {
-    const auto sums = [](tally t)
-    {
-        reduce(t.simulators, sumOp<std::int64_t>());
-        reduce(t.number, sumOp<scalar>());
-        reduce(t.mass, sumOp<scalar>());
-        return t;
-    };
     Info<< "Solid particles (simulated, real, kg)" << nl;
     std::int64_t balance = 0;
     for (label k = 0; k < nFates; ++k)
     {
-        const tally t = sums(tally_[k]);
+        const tally t = summed(tally_[k]);
         Info<< "    " << fateNames[k] << ": " << t.simulators << "  "
             << t.number << "  " << t.mass << nl;
         balance += k <= entered ? t.simulators : -t.simulators;
@@ -276,7 +273,7 @@ void Foam::solidParticles::account(runSummary& summary) const
         {
             break;
         }
-        const tally t = sums(deposits_[patchi]);
+        const tally t = summed(deposits_[patchi]);
         if (t.simulators)
         {
             Info<< "    deposited on " << patches[patchi].name() << ": "
