@@ -25,7 +25,6 @@ namespace Foam
         const lagrangianFile::geometry* particles_;
 
         void writeCoordinates(Ostream& os) const;
-        void writePositions(Ostream& os) const;
 
     public:
 
@@ -50,6 +49,49 @@ namespace Foam
 
         void readGeometry(lagrangianFile::geometry& particles);
     };
+
+
+    //- Write where a particle is, and the numbers of cell and tetrahedron
+    template<class Place, std::size_t n>
+    static void put(Ostream& os, const Place& x, const label (&numbers)[n])
+    {
+        if (os.format() == IOstream::ASCII)
+        {
+            os << x;
+            for (const label number : numbers)
+            {
+                os << token::SPACE << number;
+            }
+        }
+        else
+        {
+            char bytes[sizeof(x) + sizeof(numbers)];
+            std::memcpy(bytes, &x, sizeof(x));
+            std::memcpy(bytes + sizeof(x), numbers, sizeof(numbers));
+            os.write(bytes, sizeof(bytes));
+        }
+        os << nl;
+    }
+
+    template<class Place, std::size_t n>
+    static void get(Istream& is, Place& x, label (&numbers)[n])
+    {
+        if (is.format() == IOstream::ASCII)
+        {
+            is >> x;
+            for (label& number : numbers)
+            {
+                is >> number;
+            }
+        }
+        else
+        {
+            char bytes[sizeof(x) + sizeof(numbers)];
+            is.read(bytes, sizeof(bytes));
+            std::memcpy(x.data(), bytes, sizeof(x));
+            std::memcpy(numbers, bytes + sizeof(x), sizeof(numbers));
+        }
+    }
 
 
     //- Weights of the corners of a tetrahedron: centre, base, p, q
@@ -102,43 +144,7 @@ void Foam::geometryFile::writeCoordinates(Ostream& os) const
             }
         }
 
-        const label numbers[3] =
-            {celli, tets[found].face(), tets[found].tetPt()};
-        if (os.format() == IOstream::ASCII)
-        {
-            os  << best << token::SPACE << numbers[0] << token::SPACE
-                << numbers[1] << token::SPACE << numbers[2];
-        }
-        else
-        {
-            char bytes[sizeof(best) + sizeof(numbers)];
-            std::memcpy(bytes, &best, sizeof(best));
-            std::memcpy(bytes + sizeof(best), numbers, sizeof(numbers));
-            os.write(bytes, sizeof(bytes));
-        }
-        os  << nl;
-    }
-}
-
-
-void Foam::geometryFile::writePositions(Ostream& os) const
-{
-    forAll(particles_->position, i)
-    {
-        const point& x = particles_->position[i];
-        const label celli = particles_->meshCell[i];
-        if (os.format() == IOstream::ASCII)
-        {
-            os  << x << token::SPACE << celli;
-        }
-        else
-        {
-            char bytes[sizeof(x) + sizeof(celli)];
-            std::memcpy(bytes, &x, sizeof(x));
-            std::memcpy(bytes + sizeof(x), &celli, sizeof(celli));
-            os.write(bytes, sizeof(bytes));
-        }
-        os  << nl;
+        put(os, best, {celli, tets[found].face(), tets[found].tetPt()});
     }
 }
 
@@ -152,7 +158,10 @@ bool Foam::geometryFile::writeData(Ostream& os) const
     }
     else
     {
-        writePositions(os);
+        forAll(particles_->position, i)
+        {
+            put(os, particles_->position[i], {particles_->meshCell[i]});
+        }
     }
     os  << token::END_LIST << endl;
     return os.good();
@@ -163,8 +172,9 @@ void Foam::geometryFile::readGeometry(lagrangianFile::geometry& particles)
 {
     const polyMesh& mesh = refCast<const polyMesh>(db());
     Istream& is = readStream(word::null);
-    const bool ascii = is.format() == IOstream::ASCII;
-    if (!ascii && !(is.checkLabelSize<label>() && is.checkScalarSize<scalar>()))
+    const bool native =
+        is.checkLabelSize<label>() && is.checkScalarSize<scalar>();
+    if (is.format() != IOstream::ASCII && !native)
     {
         FatalIOErrorInFunction(is)
             << "Numbers of another width than this program's;"
@@ -181,17 +191,7 @@ void Foam::geometryFile::readGeometry(lagrangianFile::geometry& particles)
         {
             barycentric weights;
             label numbers[3];
-            if (ascii)
-            {
-                is  >> weights >> numbers[0] >> numbers[1] >> numbers[2];
-            }
-            else
-            {
-                char bytes[sizeof(weights) + sizeof(numbers)];
-                is.read(bytes, sizeof(bytes));
-                std::memcpy(weights.data(), bytes, sizeof(weights));
-                std::memcpy(numbers, bytes + sizeof(weights), sizeof(numbers));
-            }
+            get(is, weights, numbers);
             const bool valid =
                 numbers[0] >= 0 && numbers[0] < mesh.nCells()
              && numbers[1] >= 0 && numbers[1] < mesh.nFaces()
@@ -216,27 +216,17 @@ void Foam::geometryFile::readGeometry(lagrangianFile::geometry& particles)
         else
         {
             point x;
-            label celli;
-            if (ascii)
-            {
-                is  >> x >> celli;
-            }
-            else
-            {
-                char bytes[sizeof(x) + sizeof(celli)];
-                is.read(bytes, sizeof(bytes));
-                std::memcpy(x.data(), bytes, sizeof(x));
-                std::memcpy(&celli, bytes + sizeof(x), sizeof(celli));
-            }
-            if (celli < 0 || celli >= mesh.nCells())
+            label celli[1];
+            get(is, x, celli);
+            if (celli[0] < 0 || celli[0] >= mesh.nCells())
             {
                 FatalIOErrorInFunction(is)
-                    << "Particle " << i << " is in cell " << celli
+                    << "Particle " << i << " is in cell " << celli[0]
                     << ". Valid range: 0 <= cell < " << mesh.nCells()
                     << exit(FatalIOError);
             }
             particles.position[i] = x;
-            particles.meshCell[i] = celli;
+            particles.meshCell[i] = celli[0];
         }
     }
     is.readEndList("particles");
