@@ -6,6 +6,7 @@
 #include "checked.H"
 #include "exactSums.H"
 #include "OSspecific.H"
+#include "rankMail.H"
 #include "textFile.H"
 #include "Time.H"
 #include "wordRes.H"
@@ -13,9 +14,6 @@
 namespace Foam
 {
     static const word interfaceState("solidInterfaceState");
-
-    //- Numbers of a record
-    static const label recordSize = 9;
 }
 
 
@@ -105,51 +103,6 @@ void Foam::solidInterface::restore(const dictionary& dict)
 }
 
 
-std::vector<impact::particleInterface::record>
-Foam::solidInterface::gathered() const
-{
-    List<scalarList> all(Pstream::nProcs());
-    scalarList& mine = all[Pstream::myProcNo()];
-    mine.setSize(recordSize*records_.size());
-    label i = 0;
-    for (const auto& r : records_)
-    {
-        for
-        (
-            const scalar x :
-            {
-                r.position.x, r.position.y, r.position.z,
-                r.velocity.x, r.velocity.y, r.velocity.z,
-                r.temperature, r.diameter, r.weight
-            }
-        )
-        {
-            mine[i++] = x;
-        }
-    }
-    Pstream::gatherList(all);
-
-    std::vector<impact::particleInterface::record> records;
-    if (Pstream::master())
-    {
-        const scalar factor = duration_ > 0 ? sectors_/duration_ : 0;
-        for (const scalarList& part : all)
-        {
-            for (label j = 0; j < part.size(); j += recordSize)
-            {
-                const scalar* x = part.cdata() + j;
-                records.push_back
-                ({
-                    {x[0], x[1], x[2]}, {x[3], x[4], x[5]},
-                    x[6], x[7], factor*x[8]
-                });
-            }
-        }
-    }
-    return records;
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::solidInterface::solidInterface
@@ -233,9 +186,14 @@ void Foam::solidInterface::info() const
 
 void Foam::solidInterface::write() const
 {
-    const auto records = gathered();
+    auto records(records_);
+    rankMail::gather(records);
     if (Pstream::master() && duration_ > 0)
     {
+        for (auto& r : records)
+        {
+            r.weight *= sectors_/duration_;
+        }
         mkDir(file().path());
         try
         {
