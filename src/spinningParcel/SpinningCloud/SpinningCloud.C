@@ -265,7 +265,6 @@ Foam::SpinningCloud<CloudType>::SpinningCloud
         if (readFields)
         {
             parcelType::readFields(*this);
-            readEddies();
             checkPlaces();
             readFlights();
             this->deleteLostParticles();

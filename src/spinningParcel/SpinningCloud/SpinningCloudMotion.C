@@ -321,7 +321,7 @@ void Foam::SpinningCloud<CloudType>::writeFields() const
     {
         parcelType::writeField
         (
-            *this, eddyNumber, [](const parcelType& p) { return p.nEddies(); }
+            *this, "nEddies", [](const parcelType& p) { return p.nEddies(); }
         );
     }
     if (!embedded_.valid() || watched_)

@@ -8,24 +8,6 @@
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<class CloudType>
-void Foam::SpinningCloud<CloudType>::readEddies()
-{
-    IOobject header(this->fieldIOobject(eddyNumber, IOobject::MUST_READ));
-    if (!eddies_.valid() || !header.typeHeaderOk<IOField<label>>(false))
-    {
-        return;
-    }
-    IOField<label> number(header, this->size() > 0);
-    this->checkFieldIOobject(*this, number);
-    label i = 0;
-    for (parcelType& p : *this)
-    {
-        p.nEddies() = number[i++];
-    }
-}
-
-
-template<class CloudType>
 void Foam::SpinningCloud<CloudType>::readFlights()
 {
     IOobject xHeader(this->fieldIOobject(exactPosition, IOobject::MUST_READ));

@@ -128,13 +128,14 @@ void Foam::SpinningParcel<ParcelType>::readFields(CloudType& c)
         );
     });
 
-    // Written by later releases, and by clouds with heat transfer
+    // Written by later releases, and by clouds with heat transfer or eddies
     const auto optional = [&](const word& name, const auto& value)
     {
         take(name, value, IOobject::READ_IF_PRESENT);
     };
     foamCompat::visitLaterFields(optional);
     optional("T", [](auto& p) -> decltype(auto) { return p.temperature(); });
+    optional("nEddies", [](auto& p) -> decltype(auto) { return p.nEddies(); });
 }
 
 
