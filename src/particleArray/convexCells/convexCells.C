@@ -107,7 +107,7 @@ void Foam::convexCells::buildBounds()
         const label last = width*firstGroup_[c + 1];
         for (label k = width*firstGroup_[c]; k < last; ++k)
         {
-            const double* p = &planes_[stride*(k/width) + k % width];
+            const double* p = planeAt(k);
             const double n[3] = {p[0], p[width], p[2*width]};
             if (n[0] == 0 && n[1] == 0 && n[2] == 0)
             {
