@@ -3,41 +3,14 @@
 \*---------------------------------------------------------------------------*/
 
 #include "SpinningParcel.H"
-#include "checked.H"
+#include "ParcelMotion.H"
 #include "forceSuSp.H"
 #include "meshTools.H"
 #include "rotationalTorque.H"
-#include "tetPlace.H"
 #include "transform.H"
 #include "wedgePolyPatch.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
-
-template<class ParcelType>
-Foam::SpinningParcel<ParcelType>::constantProperties::constantProperties()
-:
-    ParcelType::constantProperties(),
-    omega0_(Zero)
-{}
-
-
-template<class ParcelType>
-Foam::SpinningParcel<ParcelType>::constantProperties::constantProperties
-(
-    const dictionary& parentDict
-)
-:
-    ParcelType::constantProperties(parentDict),
-    omega0_
-    (
-        getComponents
-        (
-            parentDict.subDict("constantProperties"), "omega0",
-            validRange::spin, vector(Zero)
-        )
-    )
-{}
-
 
 template<class ParcelType>
 Foam::SpinningParcel<ParcelType>::SpinningParcel
@@ -112,22 +85,6 @@ Foam::scalar Foam::SpinningParcel<ParcelType>::takeHeat
         mass*(material.h(T_) - material.h(T0)) + radiated;
     cloud.gainHeat(this->nParticle_*taken, this->nParticle_*radiated);
     return taken;
-}
-
-
-template<class ParcelType>
-template<class TrackCloudType>
-void Foam::SpinningParcel<ParcelType>::warm
-(
-    TrackCloudType& cloud,
-    const scalar heat
-)
-{
-    if (heat != 0 && cloud.heated())
-    {
-        const impact::specificHeat& material = cloud.heat().material();
-        T_ = material.T(material.h(T_) + heat/this->mass());
-    }
 }
 
 
@@ -375,15 +332,73 @@ void Foam::SpinningParcel<ParcelType>::transformProperties(const tensor& T)
 
 
 template<class ParcelType>
-void Foam::SpinningParcel<ParcelType>::transformProperties
+void Foam::SpinningParcel<ParcelType>::locate
 (
-    const vector& separation
-)
+    const convexCells& cells,
+    impact::vector3& x,
+    label& celli
+) const
 {
-    ParcelType::transformProperties(separation);
-    convexCell_ = -1;
+    if (convexCell_ >= 0)
+    {
+        x = x_;
+        celli = convexCell_;
+        return;
+    }
+    if (convexCell_ == flight::passed)
+    {
+        x = x_;
+        celli = cells.locate(this->cell(), x);
+        return;
+    }
+    const polyMesh& mesh = cells.mesh();
+    point at = ParcelType::position();
+    if (mesh.nSolutionD() != 3)
+    {
+        meshTools::constrainToMeshCentre(mesh, at);
+    }
+    x = toCore(at);
+    celli = cells.locate(this->cell(), x);
 }
 
 
-#include "SpinningParcelMotion.C"
+template<class ParcelType>
+template<class TrackCloudType>
+bool Foam::SpinningParcel<ParcelType>::move
+(
+    TrackCloudType& cloud,
+    trackingData& td,
+    const scalar trackTime
+)
+{
+    if (!cloud.embeddedMotion())
+    {
+        return ParcelType::move(cloud, td, trackTime);
+    }
+    if (cloud.solution().coupled() && !cloud.inMotion())
+    {
+        // The gas is that of the exchange only in the step of all parcels
+        td.keepParticle = true;
+        td.switchProcessor = false;
+        return true;
+    }
+    return cloud.withForce
+    (
+        [&](auto& force)
+        {
+            typedef std::remove_reference_t<decltype(force)> forceType;
+            typedef typename TrackCloudType::parcelType parcelType;
+            return ParcelMotion<TrackCloudType, forceType>
+            (
+                cloud,
+                static_cast<typename parcelType::trackingData&>(td),
+                force,
+                static_cast<parcelType&>(*this),
+                trackTime
+            ).move();
+        }
+    );
+}
+
+
 #include "SpinningParcelIO.C"
