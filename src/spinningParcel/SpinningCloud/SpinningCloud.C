@@ -297,57 +297,6 @@ Foam::SpinningCloud<CloudType>::SpinningCloud
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<class CloudType>
-Foam::scalar Foam::SpinningCloud<CloudType>::rotationalEnergyOfSystem() const
-{
-    scalar sum = 0;
-    for (const parcelType& p : *this)
-    {
-        sum += p.nParticle()*p.rotationalEnergy();
-    }
-    return sum;
-}
-
-
-template<class CloudType>
-Foam::Pair<Foam::scalar>
-Foam::SpinningCloud<CloudType>::heatOfSystem() const
-{
-    Pair<scalar> sum(0, 0);
-    for (const parcelType& p : *this)
-    {
-        const scalar mass = p.nParticle()*p.mass();
-        sum.first() += mass*heat_->material().h(p.temperature());
-        sum.second() += mass*p.temperature();
-    }
-    return sum;
-}
-
-
-template<class CloudType>
-void Foam::SpinningCloud<CloudType>::setParcelThermoProperties
-(
-    parcelType& parcel,
-    const scalar lagrangianDt
-)
-{
-    CloudType::setParcelThermoProperties(parcel, lagrangianDt);
-    parcel.omega() = rotation_ ? this->constProps().omega0() : vector::zero;
-    parcel.temperature() = heat_.valid() ? heat_->T0() : 0;
-
-    // That of our injection models is 0, those of stock ones are others
-    ++parcel.origProc();
-}
-
-
-template<class CloudType>
-void Foam::SpinningCloud<CloudType>::resetSourceTerms()
-{
-    CloudType::resetSourceTerms();
-    ETrans_->field() = 0;
-}
-
-
-template<class CloudType>
 void Foam::SpinningCloud<CloudType>::info()
 {
     if (withheldOutput::now())

@@ -115,7 +115,12 @@ void Foam::SpinningCloud<CloudType>::checkEmbedded()
 template<class CloudType>
 void Foam::SpinningCloud<CloudType>::updateCurl()
 {
-    if (!needsCurl())
+    bool lift = false;
+    for (const auto& force : this->forces())
+    {
+        lift = lift || isA<SaffmanMeiLiftForce<kinematicCloudType>>(force);
+    }
+    if (!rotation_ && !(lift && embedded_.valid()))
     {
         return;
     }
@@ -138,18 +143,6 @@ void Foam::SpinningCloud<CloudType>::updateCurl()
             *halfCurl_
         ).ptr()
     );
-}
-
-
-template<class CloudType>
-bool Foam::SpinningCloud<CloudType>::needsCurl() const
-{
-    bool lift = false;
-    for (const auto& force : this->forces())
-    {
-        lift = lift || isA<SaffmanMeiLiftForce<kinematicCloudType>>(force);
-    }
-    return rotation_ || (lift && embedded_.valid());
 }
 
 
@@ -372,40 +365,6 @@ void Foam::SpinningCloud<CloudType>::preEvolve
         this->pack(cells());
         this->packAdded(cells(), true);
     }
-}
-
-
-template<class CloudType>
-void Foam::SpinningCloud<CloudType>::evolve()
-{
-    if (this->solution().canEvolve())
-    {
-        // The tracking data refer to it
-        updateCurl();
-        typename parcelType::trackingData td(*this);
-
-        this->solve(*this, td);
-    }
-}
-
-
-template<class CloudType>
-template<class Rest>
-void Foam::SpinningCloud<CloudType>::moveInBlocks
-(
-    const Rest& rest,
-    PlannedCloud<spinningCloudType>* planned
-)
-{
-    withForce([&](auto& force)
-    {
-        typedef std::decay_t<decltype(force)> Force;
-        if constexpr (!Force::places)
-        {
-            BlockMotion<spinningCloudType, Force>
-                (*this, force, planned).move(rest);
-        }
-    });
 }
 
 
