@@ -20,31 +20,6 @@ const Foam::wordList Foam::cellGas::schemes({"cellLinear", "cellPoint"});
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-template<class Function>
-void Foam::cellGas::forEach
-(
-    const volVectorField& U,
-    const volVectorField* halfCurl,
-    const volScalarField& rho,
-    const volScalarField& mu,
-    const volScalarField* T,
-    const Function& take
-)
-{
-    take(U, 0);
-    if (halfCurl)
-    {
-        take(*halfCurl, 3);
-    }
-    take(rho, 6);
-    take(mu, 7);
-    if (T)
-    {
-        take(*T, 8);
-    }
-}
-
-
 template<class Type>
 void Foam::cellGas::putGradients
 (
@@ -532,6 +507,21 @@ void Foam::cellGas::update
         }
     }
 
+    // Call with each field and the place of its first number
+    const auto forEach = [&](const auto& take)
+    {
+        take(U, 0);
+        if (halfCurl)
+        {
+            take(*halfCurl, 3);
+        }
+        take(rho, 6);
+        take(mu, 7);
+        if (T)
+        {
+            take(*T, 8);
+        }
+    };
     impact::gasState none{};
     none.T = 1;
     if (tets_.empty())
@@ -548,7 +538,6 @@ void Foam::cellGas::update
         }
         forEach
         (
-            U, halfCurl, rho, mu, T,
             [this](const auto& q, const label offset)
             {
                 putGradients(q, offset);
@@ -569,7 +558,6 @@ void Foam::cellGas::update
     pointValues_.assign(mesh_.nPoints(), none);
     forEach
     (
-        U, halfCurl, rho, mu, T,
         [this, &U](const auto& q, const label offset)
         {
             // By the name that the stock scheme takes, which shares them
