@@ -71,7 +71,7 @@ void Foam::cellPlanes::number()
             numbers.append(celli);
             continue;
         }
-        ++nSplit_;
+        ++nSplit;
         for (const label facei : mesh_.cells()[celli])
         {
             firstTet_[own[facei] != celli][facei] = numbers.size();

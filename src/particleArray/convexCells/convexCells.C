@@ -22,7 +22,7 @@
 void Foam::convexCells::buildCells(const boolList& split)
 {
     cellPlanes built(mesh_, triangles_, split);
-    nSplit_ = built.nSplit();
+    nSplit_ = built.nSplit;
     firstCell_.transfer(built.firstCell);
     meshCell_.transfer(built.meshCell);
     boundaryCells_.transfer(built.boundaryCells);
