@@ -297,22 +297,9 @@ void Foam::dsmcGas::collide()
     impact::cellCollisions::counts counts;
     for (label celli = 0; celli < mesh_.nCells(); ++celli)
     {
-        const label first = molecules_.begin(celli);
-        const impact::cellCollisions::molecules gas =
-        {
-            molecules_.begin(celli + 1) - first,
-            molecules_.x() + first,
-            molecules_.y() + first,
-            molecules_.z() + first,
-            molecules_.u() + first,
-            molecules_.v() + first,
-            molecules_.w() + first,
-            molecules_.payload().Ei.data() + first,
-            molecules_.payload().typeId.data() + first
-        };
         collisions_->collide
         (
-            gas,
+            moleculesOf(celli),
             boxes_[celli],
             weight_*deltaT/V[celli],
             sigmaCMax[celli],

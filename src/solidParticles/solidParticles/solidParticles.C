@@ -168,28 +168,6 @@ impact::solidExchange::spheres Foam::solidParticles::spheresOf
 }
 
 
-impact::cellCollisions::molecules Foam::solidParticles::moleculesOf
-(
-    const label celli
-)
-{
-    moleculeArray& molecules = gas_.molecules();
-    const label first = molecules.begin(celli);
-    return
-    {
-        molecules.begin(celli + 1) - first,
-        molecules.x() + first,
-        molecules.y() + first,
-        molecules.z() + first,
-        molecules.u() + first,
-        molecules.v() + first,
-        molecules.w() + first,
-        molecules.payload().Ei.data() + first,
-        molecules.payload().typeId.data() + first
-    };
-}
-
-
 void Foam::solidParticles::count
 (
     tally& t,
@@ -292,7 +270,7 @@ Foam::solidParticles::contents Foam::solidParticles::contentsOfBusyCells()
     contents a;
     for (const label celli : busy_)
     {
-        const auto gas = gas_.weight()*exchange_->of(moleculesOf(celli));
+        const auto gas = gas_.weight()*exchange_->of(gas_.moleculesOf(celli));
         const auto solids = exchange_->of(spheresOf(celli));
         a.all += gas;
         a.all += solids;
@@ -337,7 +315,7 @@ void Foam::solidParticles::exchangeInBusyCells()
             {
                 return exchange_->exchange
                 (
-                    moleculesOf(celli), spheresOf(celli), gas_.weight(),
+                    gas_.moleculesOf(celli), spheresOf(celli), gas_.weight(),
                     V[celli], deltaT, ledger, key + celli, step, counts_
                 );
             }
