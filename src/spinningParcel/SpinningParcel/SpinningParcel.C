@@ -69,52 +69,6 @@ void Foam::SpinningParcel<ParcelType>::giveToGas
 
 template<class ParcelType>
 template<class TrackCloudType>
-Foam::scalar Foam::SpinningParcel<ParcelType>::takeHeat
-(
-    TrackCloudType& cloud,
-    const impact::sphereHeat& sphere,
-    const scalar T0,
-    const scalar k,
-    const scalar t
-) const
-{
-    const impact::specificHeat& material = sphere.material();
-    const scalar mass = this->mass();
-    const scalar radiated = mass*sphere.radiatedIn(t, T0, T_, k);
-    const scalar taken =
-        mass*(material.h(T_) - material.h(T0)) + radiated;
-    cloud.gainHeat(this->nParticle_*taken, this->nParticle_*radiated);
-    return taken;
-}
-
-
-template<class ParcelType>
-template<class TrackCloudType>
-void Foam::SpinningParcel<ParcelType>::setCellValues
-(
-    TrackCloudType& cloud,
-    trackingData& td
-)
-{
-    ParcelType::setCellValues(cloud, td);
-
-    if (td.rotation)
-    {
-        td.halfCurl = td.halfCurlInterp->interpolate
-        (
-            this->coordinates(),
-            this->currentTetIndices()
-        );
-    }
-    if (td.heated)
-    {
-        td.gasTemperature = cloud.heat().thermo().T()[this->cell()];
-    }
-}
-
-
-template<class ParcelType>
-template<class TrackCloudType>
 void Foam::SpinningParcel<ParcelType>::calc
 (
     TrackCloudType& cloud,

@@ -379,16 +379,13 @@ void Foam::EventDrivenCollisions<CloudType>::motion(trackingData& td)
 template<class CloudType>
 void Foam::EventDrivenCollisions<CloudType>::info()
 {
-    FixedList<scalar, 9> step;
-    step[0] = report_.pairEvents;
-    step[1] = report_.wallEvents;
-    step[2] = report_.restitutionLoss;
-    step[3] = report_.frictionLoss;
-    step[4] = report_.overlappingInjection;
-    step[5] = report_.rankPairs;
-    step[6] = report_.handOvers;
-    step[7] = report_.held;
-    step[8] = report_.heldEnergy;
+    FixedList<scalar, 9> step
+    ({
+        report_.pairEvents, report_.wallEvents,
+        report_.restitutionLoss, report_.frictionLoss,
+        report_.overlappingInjection, report_.rankPairs, report_.handOvers,
+        report_.held, report_.heldEnergy
+    });
     forAll(step, i)
     {
         reduce(step[i], sumOp<scalar>());

@@ -26,41 +26,6 @@ Foam::label Foam::rankTerritories::along(const label k, const scalar x) const
 }
 
 
-template<class Test>
-bool Foam::rankTerritories::any
-(
-    const impact::sweptBox& box,
-    const Test& f
-) const
-{
-    label from[3], to[3];
-    for (label k = 0; k < 3; ++k)
-    {
-        from[k] = along(k, box.low[k]);
-        to[k] = min(along(k, box.high[k]), from[k] + n_[k] - 1);
-    }
-    const auto wrapped = [&](const label k, const label i)
-    {
-        return ((i % n_[k]) + n_[k]) % n_[k];
-    };
-    for (label z = from[2]; z <= to[2]; ++z)
-    {
-        for (label y = from[1]; y <= to[1]; ++y)
-        {
-            const label row = (wrapped(2, z)*n_[1] + wrapped(1, y))*n_[0];
-            for (label x = from[0]; x <= to[0]; ++x)
-            {
-                if (f(row + wrapped(0, x)))
-                {
-                    return true;
-                }
-            }
-        }
-    }
-    return false;
-}
-
-
 void Foam::rankTerritories::markMesh(const polyMesh& mesh)
 {
     List<boundBox> boxes(mesh.nCells());
@@ -197,20 +162,4 @@ void Foam::rankTerritories::setReach(const scalar distance, const bool extend)
         foreignFrom_[i] =
             any(meshCells_[i], [&](const label k) { return bool(around[k]); });
     }
-}
-
-
-bool Foam::rankTerritories::near
-(
-    const label rank,
-    const impact::sweptBox& box
-) const
-{
-    return any(box, [&](const label i) { return bool(near_[rank][i]); });
-}
-
-
-bool Foam::rankTerritories::foreign(const impact::sweptBox& box) const
-{
-    return any(box, [&](const label i) { return bool(foreign_[i]); });
 }
