@@ -147,7 +147,7 @@ void writeChain
             WarningInFunction
                 << "Impact on the adhered particle at " << V
                 << " m/s: not decided after "
-                << label(impact::contactChain::maxSteps)
+                << label(chain.maxSteps())
                 << " steps; particles in contact count as staying" << endl;
         }
         file.row

@@ -235,6 +235,50 @@ TEST(contactChain, isFiniteAndDecidedAtExtremes)
 }
 
 
+TEST(contactChain, heavyParticleLeavesALightOne)
+{
+    // P2 hardly brakes it: as two springs of Hertz in series
+    const double r2 = 0.5e-6, rho = 2500;
+    const double m2 = rho*4./3*M_PI*r2*r2*r2;
+    const jkrContact below(r2, 5e10, m2, 0.15);
+    for (double ratio : {1e2, 3e2, 1e3, 1e4})
+    {
+        const double m1 = m2*ratio*ratio*ratio;
+        const jkrContact above
+        (
+            r2*ratio/(1 + ratio), 3.6e10, m1*m2/(m1 + m2), 0.06
+        );
+        const contactChain c(above, 0.5, below, 0.5, chainCoupling::twoWay);
+        auto stiffness = [](const jkrContact& x)
+        {
+            return 4./3*x.modulus()*std::sqrt(x.radius());
+        };
+        const double k1 = stiffness(above), k2 = stiffness(below);
+        const double soft = std::pow(k1, -2./3) + std::pow(k2, -2./3);
+        for (double V : ratio > 5e3
+            ? std::vector<double>{10} : std::vector<double>{10, 100})
+        {
+            const chainOutcome out = c.impact(V);
+            EXPECT_TRUE(out.decided);
+            EXPECT_FALSE(out.firstCaptured);
+            EXPECT_NEAR
+            (
+                (1 - out.firstSpeed/V)*ratio*std::sqrt(ratio), 0.5, 0.003
+            );
+            const double force = std::pow(1.25*m1*V*V/soft, 0.6);
+            const double d1 = std::pow(force/k1, 2./3);
+            const double d2 = std::pow(force/k2, 2./3);
+            EXPECT_NEAR(out.maxOverlap1, d1, 5e-3*d1);
+            EXPECT_NEAR(out.maxOverlap2, d2, 5e-3*d2);
+
+            // P2 follows quietly until the end, whatever squeezed it
+            EXPECT_TRUE(out.secondDetached);
+            EXPECT_NEAR(out.secondSpeed/V, V > 50 ? 0.456 : 0.440, 2e-3);
+        }
+    }
+}
+
+
 TEST(contactChain, refusesWhatIsOutOfRange)
 {
     const chainCoupling coupling = chainCoupling::oneWay;

@@ -43,9 +43,12 @@ struct chainRate
     // Is there a contact
     bool touch1, touch2;
 
+    // Beyond these a step was far too long
+    static constexpr double largest = 5;
+
     static double bounded(double u)
     {
-        return std::clamp(u, -5., 5.);
+        return std::clamp(u, -largest, largest);
     }
 
     double force1(double u, double v) const
@@ -125,6 +128,12 @@ class chainImpact
     double error() const
     {
         const chainState y = step_.end();
+        const double u = std::max(std::fabs(y[0]), std::fabs(y[2]));
+        if (!(u <= rate_.largest))
+        {
+            // The rate is blind there, and so is its error
+            return 1e10;
+        }
         const double x1 = fourth(y[0])*y[0], x2 = fourth(y[2])*y[2];
         const double v2 = y[3]/rate_.speed;
         const double speed1 =
@@ -220,7 +229,8 @@ class chainImpact
         step_ = integrator(rate_, end);
 
         // One factor of the time scale is gone
-        h_ *= contact == 1 ? 0.4 : 0.4*rate_.length;
+        h_ *= contact == 1
+          ? 0.6*rate_.curve1.beta() : 0.6*rate_.curve2.beta()*rate_.length;
     }
 
 
@@ -394,6 +404,15 @@ impact::contactChain::contactChain
 }
 
 
+long impact::contactChain::maxSteps() const
+{
+    // The heavier P1 is, the more often P2 swings while P1 turns
+    const double swings = coupling_ == chainCoupling::twoWay
+      ? std::sqrt(mass1_/second_.mass()) : 0;
+    return long(std::clamp(10*swings, 2e4, 1e9));
+}
+
+
 impact::chainOutcome impact::contactChain::run
 (
     double speed,
@@ -401,8 +420,17 @@ impact::chainOutcome impact::contactChain::run
 ) const
 {
     checkRange("speed", speed, "(0, inf) m/s");
-    const jkrContact::units unit1 = first_.scales(speed);
-    const jkrContact::units unit2 = second_.scales(speed);
+
+    // Newton's P1 squeezes P2 with all of its energy, however light P2 is:
+    // numbers are of order one in units of an impact of its mass
+    const bool oneWay = coupling_ == chainCoupling::oneWay;
+    auto unitsOf = [&](const jkrContact& c)
+    {
+        const double share = oneWay ? 1 : std::max(1., mass1_/c.mass());
+        return c.scales(std::sqrt(share)*speed);
+    };
+    const jkrContact::units unit1 = unitsOf(first_);
+    const jkrContact::units unit2 = unitsOf(second_);
     const chainRate rate =
     {
         unit1.curve,
@@ -414,12 +442,13 @@ impact::chainOutcome impact::contactChain::run
         unit2.speed/unit1.speed,
         mass1_/first_.mass(),
         second_.mass()/first_.mass(),
-        coupling_ == chainCoupling::oneWay,
+        oneWay,
         true,
         true
     };
     chainImpact impact(rate, unit1, unit2, speed, tolerance_, moments);
-    for (long n = 0; n < maxSteps; ++n)
+    const long last = maxSteps();
+    for (long n = 0; n < last; ++n)
     {
         if (impact.step() && impact.over())
         {
