@@ -279,6 +279,31 @@ TEST(contactChain, heavyParticleLeavesALightOne)
 }
 
 
+TEST(contactChain, pairThatFliesOffSharesItsMomentum)
+{
+    // Impacts end before the pair has stopped swinging
+    for (chainCoupling coupling :
+        {chainCoupling::oneWay, chainCoupling::twoWay})
+    {
+        const contactChain c
+        (
+            jkrContact(5e-6, 36e9, mass/2, 0.3), 0.3,
+            jkrContact(10e-6, 50e9, mass, 0.005), 0.3, coupling
+        );
+        for (double V : {0.05, 0.1})
+        {
+            const chainOutcome out = c.impact(V);
+            EXPECT_TRUE(out.firstCaptured && out.secondDetached);
+            EXPECT_EQ(out.firstSpeed, out.secondSpeed);
+            EXPECT_NEAR
+            (
+                out.firstSpeed, -c.trajectory(V).back().velocity2, 1e-3*V
+            );
+        }
+    }
+}
+
+
 TEST(contactChain, refusesWhatIsOutOfRange)
 {
     const chainCoupling coupling = chainCoupling::oneWay;

@@ -326,8 +326,7 @@ public:
 
             // A free pair: y1' is its relative velocity in both couplings
             const double m1 = rate_.mass1, m2 = rate_.mass2;
-            const double v = rate_.oneWay
-              ? z[3] : (m1*(z[1] + z[3]) + m2*z[3])/(m1 + m2);
+            const double v = (m1*(z[1] + z[3]) + m2*z[3])/(m1 + m2);
             out_.firstSpeed = -v*unit1_.speed;
             out_.secondSpeed = out_.firstSpeed;
             return true;
