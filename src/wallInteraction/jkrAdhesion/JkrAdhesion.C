@@ -265,7 +265,6 @@ bool Foam::JkrAdhesion<CloudType>::correct
     impact::sphereState s = {hit.V0, toCore(hit.omega0)};
     impact::sphereState s2;
     hit.rotation0 = impact::sphereRotationalEnergy(hit.radius, s.omega);
-    deepest_ = max(deepest_, wall.overlapShare(sphere, -dot(hit.V0, hit.n)));
 
     const label item = layer_.item(pp.index(), pp.whichFace(p.face()));
     const int met = wall.hasLayer() ? partner(p, item) : -1;
@@ -298,6 +297,7 @@ bool Foam::JkrAdhesion<CloudType>::correct
             << exit(FatalError);
     }
 
+    deepest_ = max(deepest_, out.overlap);
     if (out.detached)
     {
         scalar energy;
@@ -363,9 +363,10 @@ void Foam::JkrAdhesion<CloudType>::report(Ostream& os) const
         warned_ = true;
         WarningInFunction
             << typeName << ": the overlap of an impact is " << deepest
-            << " of the particle's radius. The theory holds for a contact that"
-            << " is small against the sphere (overlap below 0.1), and most"
-            << " materials yield before" << endl;
+            << " of the particle's radius (of R* on an adhered particle)."
+            << " The theory holds for a contact that is small against the"
+            << " sphere (overlap below 0.1), and most materials yield before"
+            << endl;
     }
 
     if (!warnedOfChains_ && returnReduce(undecided_, sumOp<scalar>()) > 0)

@@ -123,6 +123,29 @@ def check_overlap():
                 and all(abs(float(s)/share - 1) < 1e-3 for s in said),
                 f"at {V:.0f} m/s, said: {said}")
 
+    # Not on the wall, but on a particle of the layer that is much smaller
+    case = new("overlap")
+    d = 1e-6
+    n_cover = 2*0.25*0.1/(math.pi/4*d*d)
+    write_plate(case, "jkrAdhesion",
+                patches(f"yMin {{ {WALL} {LAYER} }}", LID),
+                [fall(0.05, d=d, x=(0.65, 0.65), n_particle=n_cover),
+                 fall(10.0, x=(0.6, 0.7), start=3e-3)],
+                end=6e-3, step=1e-3, cells=(4, 2, 2))
+    mesh(case)
+    log = solve(case)
+    said = re.findall(r"overlap of an impact is (\S+) of", log)
+    # All of the energy in two springs of Hertz, a few per cent of adhesion
+    stiff = (PAIR_MODULUS*math.sqrt(d*D/(d + D)/2), MODULUS*math.sqrt(d/2))
+    soft = sum((4/3*k)**(-2/3) for k in stiff)
+    force = (1.25*mass(D)*100/soft)**0.6
+    want = max((force/(4/3*k))**(2/3)/r for k, r in
+               zip(stiff, (d*D/(d + D)/2, d/2)))
+    verdict("overlap_onAdhered",
+            counters(log)["hits on adhered particles"] == [1]
+            and len(said) == 1 and abs(float(said[0])/want - 1) < 0.05,
+            f"said: {said}, two springs {want:.3f}")
+
 
 # ------------------------------------------------------------------ the layer
 

@@ -10,6 +10,8 @@ Description
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 using namespace impact;
 
 namespace
@@ -138,7 +140,10 @@ TEST(adhesiveRebound, oblique)
 
     // Too slow along the normal, however fast along the wall
     s = {{50, -0.85, 0}, {0, 0, 1e6}};
-    EXPECT_TRUE(law.rebound(n, grain, s).captured);
+    const double V = -s.V.y;
+    const auto stays = law.rebound(n, grain, s);
+    EXPECT_TRUE(stays.captured);
+    EXPECT_EQ(stays.overlap, law.overlapShare(grain, V));
     EXPECT_EQ(mag(s.V) + mag(s.omega), 0);
 
     // Sliding and sticking
@@ -168,6 +173,13 @@ TEST(adhesiveRebound, onAnAdheredParticle)
         {
             sphereState s = {{0, -V, 0}, {0, 0, 0}}, s2;
             const auto out = law.rebound(n, grain, s, grain, s2);
+            const chainOutcome normal = law.chain(grain, grain).impact(V);
+            const double r = 0.5*grain.diameter;
+            EXPECT_DOUBLE_EQ
+            (
+                out.overlap,
+                std::max(2*normal.maxOverlap1/r, normal.maxOverlap2/r)
+            );
             EXPECT_TRUE(out.decided);
             EXPECT_EQ(out.captured, V < captures) << V;
             EXPECT_EQ(out.detached, V > detaches) << V;

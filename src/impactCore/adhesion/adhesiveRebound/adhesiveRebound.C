@@ -5,6 +5,8 @@
 #include "adhesiveRebound.H"
 #include "outOfRange.H"
 
+#include <algorithm>
+
 namespace
 {
 
@@ -96,9 +98,15 @@ impact::adhesiveRebound::outcome impact::adhesiveRebound::rebound
 ) const
 {
     const double v = -dot(s.V, n);
+    const double r1 = 0.5*first.diameter, r2 = 0.5*second.diameter;
     const chainOutcome normal = chain(first, second).impact(v);
+    const double overlap = std::max
+    (
+        normal.maxOverlap1*(r1 + r2)/(r1*r2), normal.maxOverlap2/r2
+    );
     const sphereState rest = {{0, 0, 0}, {0, 0, 0}};
-    outcome out = {false, false, normal.secondDetached, normal.decided};
+    outcome out =
+        {false, false, normal.secondDetached, normal.decided, overlap};
     s2 = rest;
 
     double v1 = normal.firstSpeed, v2 = normal.secondSpeed;
@@ -118,7 +126,6 @@ impact::adhesiveRebound::outcome impact::adhesiveRebound::rebound
     }
 
     const double m1 = massOf(first), m2 = massOf(second);
-    const double r1 = 0.5*first.diameter, r2 = 0.5*second.diameter;
     const vector3 Vc = contactVelocity(n, r1, s);
     const vector3 slip = Vc - dot(Vc, n)*n;
     const double speed = mag(slip);
