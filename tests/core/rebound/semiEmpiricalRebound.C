@@ -217,6 +217,27 @@ TEST(semiEmpiricalRebound, survivesExtremes)
 }
 
 
+TEST(semiEmpiricalRebound, fallsVerticallyOnWallsOfAnyNormal)
+{
+    // What is left of V along the wall is round-off, far less than the slip
+    counterRandom rnd(5, 0, 0);
+    const double r = 1e-5, V = 0.1;
+    const vector3 spin = {3e5, -2e5, 5e5};
+    for (int i = 0; i < 2000; ++i)
+    {
+        const vector3 n = randomUnit(rnd);
+        sphereState s = {-V*n, spin};
+        make(0.7, 0.6, 45).rebound(n, r, s);
+        EXPECT_NEAR(dot(s.V, n), 0.7*V, 1e-12*mag(spin)*r);
+
+        // Two sevenths of the slip, against it
+        const vector3 along = s.V - dot(s.V, n)*n;
+        const vector3 slip = r*cross(n, spin);
+        EXPECT_LT(mag(along + (2./7)*slip), 1e-12*mag(spin)*r);
+    }
+}
+
+
 TEST(semiEmpiricalRebound, reportsGainsAndRanges)
 {
     // Rolling without loss of speed stores energy in the spin

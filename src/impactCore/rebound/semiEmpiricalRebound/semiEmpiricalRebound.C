@@ -6,6 +6,23 @@
 
 #include <cmath>
 
+namespace
+{
+
+using namespace impact;
+
+//- The direction along the wall of a vector of a size, or none if what is along
+//  it is round-off
+vector3 alongWall(const vector3& n, const vector3& v, double size)
+{
+    const vector3 t = v - dot(v, n)*n;
+    const double m = mag(t);
+    return m > 1e-12*size ? (1/m)*t : vector3{0, 0, 0};
+}
+
+} // End anonymous namespace
+
+
 impact::reboundCoefficient::quantity
 impact::semiEmpiricalRebound::normalQuantity()
 {
@@ -49,9 +66,15 @@ impact::semiEmpiricalRebound::outcome impact::semiEmpiricalRebound::rebound
 ) const
 {
     const double vn = dot(s.V, n);
-    const vector3 Vt = s.V - vn*n;
-    const double vx0 = mag(Vt);
     const double speed = mag(s.V);
+
+    // The direction x: of the slip of a sphere that falls vertically
+    vector3 x = alongWall(n, s.V - vn*n, speed);
+    const double vx0 = dot(s.V, x);
+    if (vx0 == 0)
+    {
+        x = alongWall(n, cross(n, s.omega), mag(s.omega));
+    }
     const double angle = 57.295779513082320877*std::atan2(-vn, vx0);
 
     outcome out;
@@ -64,21 +87,6 @@ impact::semiEmpiricalRebound::outcome impact::semiEmpiricalRebound::rebound
     const double before =
         translationalEnergy(s.V) + sphereRotationalEnergy(radius, s.omega);
 
-    // The direction x: of the slip of a sphere that falls vertically
-    vector3 x = {0, 0, 0};
-    if (vx0 > 0)
-    {
-        x = (1/vx0)*Vt;
-    }
-    else
-    {
-        const vector3 turning = cross(n, s.omega);
-        const double rate = mag(turning);
-        if (rate > 0)
-        {
-            x = (1/rate)*turning;
-        }
-    }
     const vector3 z = cross(x, n);
     const double w0 = radius*dot(s.omega, z);
     double vx, w;
