@@ -177,7 +177,6 @@ TEST(jkrContact, isThatOfHertzWithoutAdhesion)
     const jkrContact c(1e-6, 1e9, 1e-15, 0);
     EXPECT_EQ(c.separationSpeed(), 0);
     EXPECT_EQ(c.pullOffForce(), 0);
-    EXPECT_EQ(c.undampedRebound(3), 3);
     const double overlap = 1e-9;
     const double a = c.contactRadius(overlap);
     EXPECT_NEAR(a, std::sqrt(overlap*1e-6), 1e-12*a);

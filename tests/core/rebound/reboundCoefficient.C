@@ -160,7 +160,6 @@ TEST(reboundCoefficient, GrantTabakoff)
     EXPECT_NEAR(t(90, 1), 0.9899187471, 1e-10);
     EXPECT_FALSE(n.dependsOnSpeed());
     EXPECT_FALSE(n.outside(90, 1e6));
-    EXPECT_NEAR(n.minimum(), n(90, 1), 1e-15);
 
     // Friction has no fit, nor is there one of corundum along the wall
     EXPECT_TRUE(form::fits(unit).empty());

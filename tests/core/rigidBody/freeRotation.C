@@ -175,8 +175,13 @@ TEST(freeRotation, boundsTheMotionOfItsPoints)
                     );
                 }
             }
-            EXPECT_LE(fastest, f.maxOmega()*(1 + 1e-10));
-            EXPECT_LE(sharpest, f.maxAcceleration()*(1 + 1e-10));
+            const double w = f.maxOmega();
+            EXPECT_LE(fastest, w*(1 + 1e-10));
+            EXPECT_LE
+            (
+                sharpest,
+                R*w*w*(1 + freeRotation::skewness(body))*(1 + 1e-10)
+            );
         }
     }
 }

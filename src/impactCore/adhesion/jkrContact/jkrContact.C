@@ -123,17 +123,6 @@ double impact::jkrContact::separationSpeed(unloadingType unloading) const
 }
 
 
-double impact::jkrContact::undampedRebound
-(
-    double speed,
-    unloadingType unloading
-) const
-{
-    const double v = separationSpeed(unloading);
-    return speed > v ? std::sqrt((speed - v)*(speed + v)) : 0;
-}
-
-
 impact::contactState impact::jkrContact::at(double contactRadius) const
 {
     const units scale = scales(0);

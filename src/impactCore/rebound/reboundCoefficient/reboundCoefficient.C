@@ -95,7 +95,7 @@ impact::reboundCoefficient impact::reboundCoefficient::constant
 {
     checkValue(q, q.name, value);
     reboundCoefficient c(formType::constant);
-    c.value_ = c.least_ = value;
+    c.value_ = value;
     return c;
 }
 
@@ -127,7 +127,6 @@ impact::reboundCoefficient impact::reboundCoefficient::table
     c.angles_ = angles;
     c.speeds_ = speeds;
     c.values_ = values;
-    c.least_ = *std::min_element(values.begin(), values.end());
     return c;
 }
 
@@ -254,7 +253,6 @@ impact::reboundCoefficient impact::reboundCoefficient::polynomial
         c.speeds_ = {speedLow, speedHigh};
         checkGrid(q.name, "speedRange", c.speeds_, 0, 1e6);
     }
-    c.least_ = q.high;
     for (int i = 0; i <= 180; ++i)
     {
         for (int j = 0; j <= 64; ++j)
@@ -272,9 +270,10 @@ impact::reboundCoefficient impact::reboundCoefficient::polynomial
                     angle, " deg, ", speed, " m/s"
                 );
             }
-            c.least_ = std::min(c.least_, value);
         }
     }
+    c.low_ = q.low;
+    c.high_ = q.high;
     return c;
 }
 

@@ -227,11 +227,3 @@ double impact::freeRotation::skewness(const convexBody& body)
     // omega^2/sqrt(3)
     return 0.57736*k;
 }
-
-
-double impact::freeRotation::maxAcceleration() const
-{
-    // |omega x (omega x r)| + |domega/dt x r|
-    const double w = maxOmega();
-    return body_->radius()*w*w*(1 + skewness(*body_));
-}

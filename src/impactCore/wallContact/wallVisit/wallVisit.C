@@ -169,22 +169,3 @@ impact::contactPoint impact::wallVisit::firstContact
             ).find(false, 0, lost);
     });
 }
-
-
-double impact::wallVisit::gap
-(
-    const bodyState& state,
-    reliefPiece& piece,
-    std::int64_t hint
-) const
-{
-    auto find = [&](auto shadow)
-    {
-        shadow.turn(state.rotation);
-        return shadow.find(state.x, state.y, piece, hint).gap;
-    };
-    return body_->shape() == convexBody::shapeType::ellipsoid
-      ? find(ellipseShadow(*body_))
-      : body_->isBox()
-      ? find(boxShadow(*body_)) : find(polygonShadow(*body_));
-}
