@@ -5,6 +5,7 @@
 #include "frictionImpact.H"
 #include "bracketedRoot.H"
 #include "elementary.H"
+#include "outOfRange.H"
 
 #include <algorithm>
 #include <limits>
@@ -599,6 +600,10 @@ void impact::frictionImpact::solve()
             return;
         }
     }
+    throwInvalid
+    (
+        "an impact with friction ", c_.mu, " is not over after 10000 steps"
+    );
 }
 
 
