@@ -109,7 +109,22 @@ TEST(reboundCoefficient, tableOfAngleAlone)
     EXPECT_FALSE(c.outside(45, 1e9));
     const auto one = form::table(unit, {30}, {0}, {0.3});
     EXPECT_EQ(one(30, 5), 0.3);
-    EXPECT_TRUE(one.outside(31, 5));
+    EXPECT_EQ(one(80, 5), 0.3);
+    EXPECT_FALSE(one.outside(31, 5));
+}
+
+
+TEST(reboundCoefficient, polynomialIsHeldInItsRange)
+{
+    // Above 1 by 5e-6 between two of the points that are looked at
+    const double peak = 45.25*M_PI/180, bend = 0.4;
+    const auto c = form::polynomial
+    (
+        unit, {{1 + 5e-6 - bend*peak*peak}, {2*bend*peak}, {-bend}},
+        0, 90, 0, 0
+    );
+    EXPECT_EQ(c(45.25, 1), 1);
+    EXPECT_NEAR(c(45.5, 1), 1 - 2.6e-6, 1e-7);
 }
 
 

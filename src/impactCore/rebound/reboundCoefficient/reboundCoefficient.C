@@ -414,7 +414,7 @@ double impact::reboundCoefficient::evaluate(double angle, double speed) const
                 }
                 sum = sum*x + row;
             }
-            return sum;
+            return std::min(std::max(sum, low_), high_);
         }
         case formType::McNamaraFalcon:
         {
