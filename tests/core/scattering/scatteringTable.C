@@ -469,6 +469,12 @@ TEST(scatteringTable, refusesFilesThatAreNone)
         EXPECT_NE(text.find(word), std::string::npos) << text;
     };
     EXPECT_EQ(complaint(good), "none");
+    std::string foreign;
+    for (const char c : good)
+    {
+        foreign += c == '\n' ? "\r\n" : std::string(1, c);
+    }
+    EXPECT_EQ(complaint(foreign), "none");
     expect
     (
         refusal([] { scatteringTable("/nowhere/table.csv"); }),

@@ -46,6 +46,17 @@ bool takeRow(const char*& at, int first, double (&v)[9])
     return true;
 }
 
+//- A line without its end, that of other systems, too
+bool takeLine(std::istream& file, std::string& line)
+{
+    const bool good = bool(std::getline(file, line));
+    if (!line.empty() && line.back() == '\r')
+    {
+        line.pop_back();
+    }
+    return good;
+}
+
 } // End anonymous namespace
 
 
@@ -115,7 +126,7 @@ impact::scatteringTable::sizes impact::scatteringTable::readHead
 )
 {
     std::string line;
-    std::getline(file, line);
+    takeLine(file, line);
     const bool ofSpeeds = line == firstLineOfSpeeds;
     if (line != firstLine && !ofSpeeds)
     {
@@ -127,7 +138,7 @@ impact::scatteringTable::sizes impact::scatteringTable::readHead
         );
     }
     long nSpeeds = ofSpeeds ? 0 : 1, nIncidences = 0, nRows = 0;
-    while (std::getline(file, line) && line.compare(0, 2, "# ") == 0)
+    while (takeLine(file, line) && line.compare(0, 2, "# ") == 0)
     {
         line = line.substr(2);
         const std::string key = line.substr(0, line.find(' '));
