@@ -181,6 +181,41 @@ TEST(scatteringTable, departsAsVisitsDo)
 }
 
 
+TEST(scatteringTable, leadsNoParticleIntoTheWall)
+{
+    // Without restitution many visits are ended on their way into the wall
+    scatteringSampler::setup s = rough();
+    s.law = reboundLaw::coulomb(0, 0.2);
+    const int n = 4000;
+    const scatteringTable table(s, {30, 60}, n);
+    const tableFile file(written(table));
+    const scatteringTable read(file.name);
+    nonSphericalRebound wall(s);
+    const double d = wall.diameter();
+    double along[3] = {};
+    for (int i = 0; i < n; ++i)
+    {
+        bool outside;
+        const vector3 V = arrival(30, 150);
+        const vector3 out[3] =
+        {
+            table.depart(V, d, key(i), outside).V,
+            read.depart(V, d, key(i), outside).V,
+            wall.depart(V, {0, 0, 0}, d, key(i)).V
+        };
+        for (int k = 0; k < 3; ++k)
+        {
+            EXPECT_GE(out[k].y, 0);
+            along[k] += out[k].y < 1e-6*mag(out[k]);
+        }
+        EXPECT_GE(table.depart(arrival(45, 150), d, key(i), outside).V.y, 0);
+    }
+    EXPECT_GT(along[2], 0.2*n);
+    EXPECT_NEAR(along[0], along[2], 5*std::sqrt(2.*n*0.25));
+    EXPECT_NEAR(along[1], along[2], 5*std::sqrt(2.*n*0.25));
+}
+
+
 TEST(scatteringTable, keepsVisitsTogether)
 {
     // On a smooth wall a sphere has one outcome at each incidence, and each

@@ -256,11 +256,7 @@ impact::wallDeparture impact::nonSphericalRebound::depart
     const visitResult result = visit_.visit(b, piece_, hint);
 
     const rotationState& after = result.state.rotation;
-    out.V = result.state.V;
-    if (result.capped && out.V.y < 0)
-    {
-        out.V.y = 0;
-    }
+    out.V = result.departure();
     out.V.x *= turn;
     out.V.z *= turn;
     out.omega =

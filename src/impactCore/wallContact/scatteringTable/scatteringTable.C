@@ -208,7 +208,7 @@ void impact::scatteringTable::sample(const samplerSetup& setup)
     const vector3& J = setup.body.inertia();
     for (const visitResult& r : sampler.visits(0, nRows_))
     {
-        const vector3& V = r.state.V;
+        const vector3 V = r.departure();
         const rotationState& s = r.state.rotation;
         row x;
         x.alpha = float(std::atan2(V.y, V.x));
@@ -418,6 +418,9 @@ impact::wallDeparture impact::scatteringTable::depart
     const int nearest = f < 0.5 ? first : second;
     const row& r =
         rows(choice < angle.share ? angle.high : angle.low, chosen)[nearest];
+
+    // That of a single number along the wall would lead into it
+    alpha = std::min(alpha, pi);
 
     // A table looks along the motion of its particles
     const double forward = V.x < 0 ? -1 : 1;
