@@ -133,7 +133,12 @@ Foam::scatteringSetup::scatteringSetup
 
     checked(dict, [&]
     {
-        impact::scatteringSampler(sampler).emptyStatistics();
+        impact::samplerSetup one(sampler);
+        for (const scalar incidence : incidences)
+        {
+            one.incidence = incidence;
+            impact::scatteringSampler(one).emptyStatistics();
+        }
         return true;
     });
     warnOfScale(sampler);

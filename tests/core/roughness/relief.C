@@ -205,6 +205,46 @@ TEST(relief, repeatsAProfileWithoutASeam)
 }
 
 
+TEST(relief, isFoundAtOnceFarAwayWhereItRepeats)
+{
+    // From a trough to where the corner of the square meets the next crest
+    const relief r = relief::sinusoidal(2, 10);
+    for (const double Vx : {1., -1.})
+    {
+        reliefPiece piece(r, 1);
+        std::int64_t hint = 0;
+        bool lost = false;
+        const double x = Vx*1e9 - 2.5;
+        EXPECT_NEAR(piece.height(x), -2, 1e-6);
+        const double t =
+            piece.firstReach(x, 2.49, Vx, -1e-4, 0.5, 0, hint, lost);
+        EXPECT_FALSE(lost);
+
+        // Two intervals before its top
+        EXPECT_NEAR(t, 5 - 0.5 - 2*10./64, 1e-6);
+    }
+}
+
+
+TEST(relief, scalesItsLengths)
+{
+    const relief r = relief::profile
+    (
+        std::vector<double>{0, 1, 2.5, 3, 4.2}, {0, 1, -1, 2, 0.5}
+    );
+    relief s = relief::flat();
+    s.setScaled(r, 2);
+    s.setScaled(s, 1.5);
+    EXPECT_NEAR(s.top(), 3*r.top(), 1e-13);
+    reliefPiece a(r, 1), b(s, 1);
+    expectSmooth(b, -20, 20, 6);
+    for (double x = -30; x < 30; x += 0.77)
+    {
+        EXPECT_NEAR(b.height(3*x), 3*a.height(x), 1e-12);
+    }
+}
+
+
 TEST(relief, isASineToItsStatedError)
 {
     const relief r = relief::sinusoidal(2, 10);

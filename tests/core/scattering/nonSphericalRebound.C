@@ -388,6 +388,34 @@ TEST(nonSphericalRebound, survivesExtremes)
         EXPECT_LE(capped, 3);
     }
 
+    // However slowly it comes down, it meets a relief that repeats
+    std::vector<double> x(1000), y(1000);
+    for (int i = 0; i < 1000; ++i)
+    {
+        x[i] = 10e-6*i;
+        y[i] = 10e-6*std::sin(1.7*i) + 5e-6*std::sin(0.37*i*i);
+    }
+    for (const relief& wall :
+        {relief::profile(x, y), relief::sinusoidal(10e-6, 200e-6)})
+    {
+        scatteringSampler::setup s =
+            rough(convexBody::box({4e-5, 3e-5, 3e-5}));
+        s.law = reboundLaw::coulomb(0.8, 0.3);
+        s.wall = std::make_shared<const relief>(wall);
+        nonSphericalRebound law(s);
+        for (const double incidence : {1e-6, 180 - 1e-6})
+        {
+            const wallDeparture d = law.depart
+            (
+                arrival(incidence, 100), {0, 0, 0}, law.diameter(), key(3)
+            );
+            EXPECT_TRUE(d.raised);
+            EXPECT_FALSE(d.capped);
+            EXPECT_GT(d.impacts, 0);
+            EXPECT_GT(d.V.y, 0);
+        }
+    }
+
     // Without restitution the sphere goes on along the wall
     scatteringSampler::setup s;
     s.body = convexBody::sphere(1e-5);

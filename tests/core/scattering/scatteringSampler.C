@@ -416,6 +416,16 @@ TEST(scatteringSampler, accountsForEveryParticleAtTheExtremes)
 TEST(scatteringSampler, refusesBadInput)
 {
     const scatteringSampler::setup good = basic(convexBody::sphere(a));
+    for (const relief& wall : {*paperRelief(), relief::sinusoidal(a, 9*a)})
+    {
+        scatteringSampler::setup s = good;
+        s.incidence = 1e-6;
+        EXPECT_NO_THROW(scatteringSampler{s});
+        s.wall = std::make_shared<const relief>(wall);
+        EXPECT_THROW(scatteringSampler{s}, std::invalid_argument);
+        s.incidence = 1e-3;
+        EXPECT_NO_THROW(scatteringSampler{s});
+    }
     for (double incidence : {0., -1., 90.1})
     {
         scatteringSampler::setup s = good;

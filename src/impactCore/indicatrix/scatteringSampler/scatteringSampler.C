@@ -176,6 +176,7 @@ impact::scatteringSampler::scatteringSampler(const setup& s)
         const double descent =
             (1.3*s.wall->top() + s.body.radius())*cosine/sine
           + 4*s.body.radius();
+        checkReach(descent/s.wall->meanSpacing());
         stretch_ = int
         (
             std::min(512., 5 + descent/s.wall->meanSpacing())
@@ -185,6 +186,26 @@ impact::scatteringSampler::scatteringSampler(const setup& s)
         {
             --perPiece_;
         }
+    }
+    else if (setup_.wall && !setup_.wall->isFlat())
+    {
+        // From where the circle about the body is within reach
+        checkReach(cosine/sine);
+    }
+}
+
+
+void impact::scatteringSampler::checkReach(double steps) const
+{
+    const double most = 1e6;
+    if (steps > most)
+    {
+        throwOutOfRange
+        (
+            "incidence", setup_.incidence, "[", setup_.incidence*steps/most,
+            ", 90] deg on this relief, below which the way down to it is too"
+            " long to be followed"
+        );
     }
 }
 

@@ -113,7 +113,7 @@ void impact::relief::setPeriodic
     type_ = reliefType::periodic;
     period_ = period;
     top_ = -1e300;
-    table_.resize(n);
+    std::vector<interval> table(n);
     const int room = wholeVectors(n);
     std::vector<double> X(room + 1, 0);
     for (int i = 0; i < room; ++i)
@@ -124,13 +124,14 @@ void impact::relief::setPeriodic
     makeIntervals
     (
         n, X.data(), Y.data() + lead, M.data() + lead,
-        work.data(), table_.data()
+        work.data(), table.data()
     );
-    table_[n - 1].x1 = period;
-    for (const interval& s : table_)
+    table[n - 1].x1 = period;
+    for (const interval& s : table)
     {
         top_ = std::max(top_, s.top);
     }
+    table_ = std::make_shared<const std::vector<interval>>(std::move(table));
 }
 
 
@@ -268,7 +269,10 @@ impact::relief impact::relief::flat(double period)
     checkRange("period", period, "(0, 1e100) m");
     relief r;
     r.period_ = period;
-    r.table_ = {interval{0, period, 0, 0, 0, 0, 0, 0, 0}};
+    r.table_ = std::make_shared<const std::vector<interval>>
+    (
+        1, interval{0, period, 0, 0, 0, 0, 0, 0, 0}
+    );
     return r;
 }
 
@@ -281,16 +285,24 @@ void impact::relief::setScaled(const relief& other, double scale)
     sigmaHeight_ *= scale;
     period_ *= scale;
     top_ *= scale;
-    for (interval& s : table_)
-    {
-        s.x0 *= scale;
-        s.x1 *= scale;
-        s.c0 *= scale;
-        s.c2 /= scale;
-        s.c3 /= scale*scale;
-        s.top *= scale;
-        s.crest /= scale;
-    }
+    scale_ *= scale;
+}
+
+
+impact::relief::interval impact::relief::at(std::int64_t i) const
+{
+    const std::int64_t size = std::int64_t(table_->size());
+    const std::int64_t turn = i >= 0 ? i/size : -((size - 1 - i)/size);
+    const double shift = double(turn)*period_;
+    interval s = (*table_)[i - turn*size];
+    s.x0 = scale_*s.x0 + shift;
+    s.x1 = scale_*s.x1 + shift;
+    s.c0 *= scale_;
+    s.c2 /= scale_;
+    s.c3 /= scale_*scale_;
+    s.top *= scale_;
+    s.crest /= scale_;
+    return s;
 }
 
 
@@ -378,7 +390,7 @@ void impact::reliefPiece::generate
     {
         for (int i = 0; i < n; ++i)
         {
-            const relief::interval s = inTable(from + i);
+            const relief::interval s = relief_->at(from + i);
             x_[at + i] = s.x0;
             ceiling_[at + i] = s.top;
             if (!front)
@@ -446,7 +458,23 @@ void impact::reliefPiece::generate
 
 void impact::reliefPiece::grow(std::int64_t i)
 {
-    const std::int64_t chunk = atOnce;
+    std::int64_t chunk = atOnce;
+    if (relief_->type() == relief::reliefType::periodic)
+    {
+        const std::int64_t held = last_ - first_;
+        const std::int64_t most =
+            4*std::int64_t(relief_->table().size()) + 1024;
+        if (held > most || i < first_ - held || i >= last_ + held)
+        {
+            // It is not drawn: no need of what is on the way
+            first_ = last_ = i;
+        }
+        else if (i < first_)
+        {
+            // All the others move
+            chunk = held;
+        }
+    }
     if (i < first_)
     {
         generate(std::min(i, first_ - chunk), first_, true);
@@ -455,19 +483,6 @@ void impact::reliefPiece::grow(std::int64_t i)
     {
         generate(last_, std::max(i + 1, last_ + chunk), false);
     }
-}
-
-
-impact::relief::interval impact::reliefPiece::inTable(std::int64_t i) const
-{
-    const auto& table = relief_->table();
-    const std::int64_t size = std::int64_t(table.size());
-    const std::int64_t turn = i >= 0 ? i/size : -((size - 1 - i)/size);
-    const double shift = double(turn)*relief_->period();
-    relief::interval s = table[i - turn*size];
-    s.x0 += shift;
-    s.x1 += shift;
-    return s;
 }
 
 
@@ -481,7 +496,7 @@ void impact::reliefPiece::shape(std::int64_t i)
     {
         for (int k = 0; k < atOnce; ++k)
         {
-            intervals_[at + k] = inTable(from + k);
+            intervals_[at + k] = relief_->at(from + k);
         }
         return;
     }

@@ -193,7 +193,7 @@ impact::wallDeparture impact::nonSphericalRebound::depart
 
     bodyState b;
     b.V = V;
-    if (random)
+    if (wall && !wall->isFlat())
     {
         const double speed = mag(V);
         static const double minSine = std::sin(minIncidence*pi/180);
