@@ -413,6 +413,34 @@ TEST(scatteringSampler, accountsForEveryParticleAtTheExtremes)
 }
 
 
+TEST(scatteringSampler, startsAnywhereOnTheWall)
+{
+    // The interval behind the one of the start is one like any other
+    scatteringSampler::setup s = basic(convexBody::sphere(20e-6));
+    const double mean = 80e-6, sigma = 10e-6;
+    s.wall =
+        std::make_shared<const relief>(relief::rough(mean, sigma, 20e-6));
+    s.incidence = 90;
+    const scatteringSampler sampler(s);
+    reliefPiece piece(*s.wall, s.seed);
+    std::int64_t identity = -1;
+    const int n = 40000;
+    double before = 0, at = 0;
+    for (int i = 0; i < n; ++i)
+    {
+        std::int64_t k = 0;
+        sampler.arrival(i, piece, identity, k);
+        before += (piece.knot(k) - piece.knot(k - 1))/n;
+        at += (piece.knot(k + 1) - piece.knot(k))/n;
+    }
+    const double error = sigma/std::sqrt(n);
+    EXPECT_NEAR(before, mean, 5*error);
+
+    // Long ones hold more places; the normal law is cut off at 3 deviations
+    EXPECT_NEAR(at, mean + 0.9733*sigma*sigma/mean, 5*error);
+}
+
+
 TEST(scatteringSampler, refusesBadInput)
 {
     const scatteringSampler::setup good = basic(convexBody::sphere(a));

@@ -177,6 +177,9 @@ impact::scatteringSampler::scatteringSampler(const setup& s)
             (1.3*s.wall->top() + s.body.radius())*cosine/sine
           + 4*s.body.radius();
         checkReach(descent/s.wall->meanSpacing());
+
+        // The body may reach back from where it begins
+        before_ = s.wall->reach(s.body.radius());
         stretch_ = int
         (
             std::min(512., 5 + descent/s.wall->meanSpacing())
@@ -270,10 +273,11 @@ impact::bodyState impact::scatteringSampler::arrival
     }
     // A uniformly random place on the wall lies in a long interval more
     // often than in a short one: intervals of the stretch are accepted in
-    // proportion to their length
+    // proportion to their length. One that is refused is a short one, mostly:
+    // the body stays clear of it
     hint = (i - identity*perPiece_)*stretch_;
     const double longest = wall.meanSpacing() + 3*wall.sigmaSpacing();
-    for (std::uint32_t attempt = 0; ; ++attempt, ++hint)
+    for (std::uint32_t attempt = 0; ; ++attempt, hint += before_ + 1)
     {
         const draws p(s.seed, attempt, drawPurpose::position, i);
         const double begin = piece.knot(hint);

@@ -146,20 +146,16 @@ void impact::nonSphericalRebound::placeOverRelief
         std::min(1024., 5 + descent/scaled_.meanSpacing())
     );
 
-    // The body may reach back from where it begins, hardly further than
-    // these
-    const double variation = 3*scaled_.sigmaSpacing();
-    const int before = 1 + int
-    (
-        std::min(1024., R/(scaled_.meanSpacing() - variation))
-    );
+    // The body may reach back from where it begins
+    const int before = scaled_.reach(R);
     hint = before;
 
     piece_.start(key.stream ^ key.seed, before + stretch);
 
-    // Long intervals hold more places than short ones
-    const double longest = scaled_.meanSpacing() + variation;
-    for (std::uint32_t attempt = 0; ; ++attempt, ++hint)
+    // Long intervals hold more places than short ones. One that is refused is
+    // a short one, mostly: the body stays clear of it
+    const double longest = scaled_.meanSpacing() + 3*scaled_.sigmaSpacing();
+    for (std::uint32_t attempt = 0; ; ++attempt, hint += before + 1)
     {
         const keyedUnits p(key, attempt, drawPurpose::position);
         const double begin = piece_.knot(hint);
