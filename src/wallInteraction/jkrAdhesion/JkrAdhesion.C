@@ -357,7 +357,8 @@ void Foam::JkrAdhesion<CloudType>::report(Ostream& os) const
         }
     }
 
-    const scalar deepest = warned_ ? 0 : returnReduce(deepest_, maxOp<scalar>());
+    const scalar deepest =
+        warned_ ? 0 : returnReduce(deepest_, maxOp<scalar>());
     if (deepest > 0.1)
     {
         warned_ = true;
