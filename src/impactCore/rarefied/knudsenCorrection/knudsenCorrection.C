@@ -194,18 +194,13 @@ impact::knudsenCorrection::factors impact::knudsenCorrection::of
     factors f;
     f.force = drag_->CdReIn(gas_.gamma, M/K, K, ratio)/freeCdRe;
 
-    const double heatM2 = M2 - 3*scatter;
-    const double Re = std::sqrt(std::max(heatM2, 0.))/K;
-    const heatLaw::result wanted = (*heat_)(Re, K);
-    const heatLaw::result free = (*freeHeat_)(Re, K);
-    double ratioOfTaw = wanted.TawOverT/free.TawOverT;
-    if (heatM2 < 0)
-    {
-        const double below = std::sqrt(-heatM2)/K;
-        ratioOfTaw =
-            (*freeHeat_)(below, K).TawOverT/(*heat_)(below, K).TawOverT;
-    }
-    f.cooling = wanted.Nu/free.Nu;
-    f.heating = f.cooling*ratioOfTaw;
+    const double Re = std::sqrt(std::max(M2 - 1.5*scatter, 0.))/K;
+    f.cooling = (*heat_)(Re, K).Nu/(*freeHeat_)(Re, K).Nu;
+
+    const double drivingM2 = M2 - 3*scatter;
+    const double drivingRe = std::sqrt(std::fabs(drivingM2))/K;
+    const double ratioOfTaw =
+        (*heat_)(drivingRe, K).TawOverT/(*freeHeat_)(drivingRe, K).TawOverT;
+    f.heating = f.cooling*(drivingM2 < 0 ? 1/ratioOfTaw : ratioOfTaw);
     return f;
 }
