@@ -415,13 +415,11 @@ void impact::radiativeCooling::checkEnd
     double time
 ) const
 {
-    state s = start(T);
-    s.y += rate(diameter)*time;
-    const double end = temperature(s);
+    const double end = after(T, diameter, time);
     const double low = setup_.heatCapacity.front().first;
     const double high = setup_.heatCapacity.back().first;
 
-    // The table has the temperatures to 1e-10
+    // An end of the pairs is reached to round-off
     if (kinked_ && !(end >= low*(1 - 1e-9) && end <= high*(1 + 1e-9)))
     {
         throwOutOfRange
