@@ -18,6 +18,7 @@ Foam::steadySolution::steadySolution
     equations_(equations),
     settings_(s),
     iterations_(0),
+    reported_(0),
     eddyChange_(equations.turbulent() ? GREAT : 0)
 {}
 
@@ -55,6 +56,29 @@ void Foam::steadySolution::iterated()
 }
 
 
+void Foam::steadySolution::followed(const label nRates)
+{
+    // Eddies that change once for a step of a hundred rates would have the gas
+    // solved anew for each small change of theirs. They are given a share of
+    // the time, or what leaves a tenth of their change.
+    const label nMost = max(label(1), nRates/5);
+    scalar first = 0;
+    for (label n = 0; n < nMost && iterations_ < settings_.maxIterations; n++)
+    {
+        iterated();
+        first = max(first, eddyChange_);
+        if (eddyChange_ <= max(0.1*first, settings_.residual))
+        {
+            break;
+        }
+    }
+    if (equations_.turbulent())
+    {
+        equations_.computeRate();
+    }
+}
+
+
 bool Foam::steadySolution::finished()
 {
     imbalance_ = equations_.imbalance(settings_.residual);
@@ -64,8 +88,9 @@ bool Foam::steadySolution::finished()
 
 void Foam::steadySolution::report(const char* method, const scalar Co) const
 {
-    if (iterations_ % settings_.reportEvery == 0)
+    if (iterations_/settings_.reportEvery > reported_/settings_.reportEvery)
     {
+        reported_ = iterations_;
         const label k = imbalance_.worst();
         Info<< "Gas: iteration " << iterations_ << ", " << method
             << ", Courant number " << Co << ", imbalance of " << imbalance_
@@ -180,6 +205,7 @@ bool Foam::steadySolution::converge(NewtonKrylov& newton)
         }
 
         const scalar before = newton.norm();
+        const label products = newton.nProducts();
 
         // A steady state that is none in time is only reached by long steps
         // whose linear equations are solved: with too few vectors the gas
@@ -187,7 +213,7 @@ bool Foam::steadySolution::converge(NewtonKrylov& newton)
         // worth as much.
         const scalar share =
             newton.step(Co, Co > settings_.maxCo ? 100 : 60);
-        iterated();
+        followed(newton.nProducts() - products);
         if (finished())
         {
             return true;

@@ -47,10 +47,9 @@ must(CASE, "blockMesh")
 log = solve(CASE)
 
 cut = re.search(r"gives (\d+) cells an eddy viscosity beyond", log)
-imbalance = max(float(x) for x in re.findall(
-    r"iteration 400,.*? mass (\S+), momentum (\S+), energy (\S+),",
-    log)[0])
+above = re.search(r"in (\d+) cells the imbalance is above 1e-06", log)
 verdict("duct_eddies_cut",
-        cut and "Gas: steady" not in log and imbalance < 1e-6,
+        cut and "Gas: steady" not in log and above and above[1] == "0",
         f"not steady, {cut.group(1) if cut else 'no'} cells are cut, bound 1;"
-        f" imbalance {imbalance:.1e}, tolerance 1e-6")
+        f" imbalance above 1e-6 in {above[1] if above else 'unknown'} cells,"
+        " bound 0")

@@ -354,6 +354,24 @@ void Foam::NewtonKrylov::findClosed()
 }
 
 
+bool Foam::NewtonKrylov::slow() const
+{
+    std::vector<double> a;
+    gas_.soundSpeed(a);
+    bool slow = true;
+    for (label c = 0; c < nCells_; c++)
+    {
+        double uu = 0;
+        for (int k = 2; k < nVar_; k++)
+        {
+            uu += sqr(gas_.primitive[c*nVar_ + k]);
+        }
+        slow = slow && uu < sqr(a[c]);
+    }
+    return returnReduce(slow, andOp<bool>());
+}
+
+
 template<int nDim>
 void Foam::NewtonKrylov::addConvection()
 {
@@ -504,6 +522,11 @@ void Foam::NewtonKrylov::assemble(const scalar Co)
         }
     }
 
+    slow_ = slow();
+    if (slow_)
+    {
+        strips_.set(lower_, diagonal_, column_, block_, equationScale_);
+    }
     factorise<nVar>();
 }
 
@@ -558,7 +581,7 @@ void Foam::NewtonKrylov::precondition
 (
     const std::vector<double>& b,
     std::vector<double>& x
-) const
+)
 {
     constexpr int nn = nVar*nVar;
     double y[nVar];
@@ -597,15 +620,19 @@ void Foam::NewtonKrylov::precondition
 (
     const std::vector<double>& b,
     std::vector<double>& x
-) const
+)
 {
-    if (nVar_ == 4)
+    const std::vector<double>* rest = &b;
+    if (slow_)
     {
-        precondition<4>(b, x);
+        rest_ = b;
+        strips_.remove(rest_);
+        rest = &rest_;
     }
-    else
+    nVar_ == 4 ? precondition<4>(*rest, x) : precondition<5>(*rest, x);
+    if (slow_)
     {
-        precondition<5>(b, x);
+        strips_.add(x);
     }
 }
 
