@@ -134,6 +134,23 @@ void refuseGravityWithout(const dictionary& forces, const fvMesh& mesh)
     }
 }
 
+
+//- The stock cloud would give up its own time where the schemes are steady
+void refuseSteadySchemes(const dictionary& solution, const fvMesh& mesh)
+{
+    if (solution.getOrDefault<Switch>("transient", false) && mesh.steady())
+    {
+        const dictionary& schemes = mesh.schemesDict().subDict("ddtSchemes");
+        FatalIOErrorInFunction(schemes)
+            << "Entry default steadyState: the parcels of "
+            << solution.name() << " move in time ('transient"
+            << " yes;')." << nl
+            << "Set 'default Euler;', and for eddies of a steady gas"
+            << " 'ddt(rho,k) steadyState;' and the like. The gas is steady by"
+            << " 'mode steady;' in system/fvSolution" << exit(FatalIOError);
+    }
+}
+
 } // End namespace Foam
 
 
@@ -209,6 +226,7 @@ Foam::autoPtr<Foam::parcelCloudModel> Foam::parcelCloudModel::New
     }
     stockCloudEntries::checkNumbers(properties);
     stockCloudEntries::checkSchemes(properties.subDict("solution"));
+    refuseSteadySchemes(properties.subDict("solution"), rho.mesh());
     if (type != "spinningKinematicCloud")
     {
         findLibraries(properties);

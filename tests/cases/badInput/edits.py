@@ -436,6 +436,9 @@ TABLE = [
     ("boundedSteadyState", in_time(
         ddt=("default Euler", "default bounded steadyState")),
      ["steadyState", "mode steady", "Euler"]),
+    ("steadySchemesOfParcels", replace(
+        SCHEMES, "default Euler", "default steadyState"),
+     ["default steadyState", "transient yes", "default Euler"]),
     ("inletOfChance", replace(
         "0/T", "outlet      { type zeroGradient; }",
         "outlet { type turbulentInlet; referenceField uniform 223.25;"
