@@ -170,7 +170,7 @@ void compare
             );
             if (particleMotion::thermal<State>)
             {
-                block->now.enthalpy[i] =
+                block->now.h[i] =
                     heat.material().h(600 + 300*uniform(random));
             }
             motionLanes::set
@@ -203,7 +203,7 @@ void compare
             s.omega = motionLanes::of(block->now.omega, i);
             if constexpr (particleMotion::thermal<State>)
             {
-                s.h = block->now.enthalpy[i];
+                s.h = block->now.h[i];
             }
             const gasState here = force.at({0, 0, 0});
             const double h = std::min(block->hMax[i], block->hTry[i]);

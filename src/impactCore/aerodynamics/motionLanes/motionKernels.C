@@ -11,6 +11,8 @@
 namespace
 {
 
+using impact::motionKernels::row;
+
 impactInline double larger(double a, double b)
 {
     return a > b ? a : b;
@@ -22,9 +24,29 @@ impactInline double largest(double x, double y, double z)
     return larger(std::fabs(x), larger(std::fabs(y), std::fabs(z)));
 }
 
+impactInline double largest(const row (&q)[3], int i)
+{
+    return largest(q[0][i], q[1][i], q[2][i]);
+}
+
+impactInline double largestGap(const row (&a)[3], const row (&b)[3], int i)
+{
+    return largest(a[0][i] - b[0][i], a[1][i] - b[1][i], a[2][i] - b[2][i]);
+}
+
 impactInline double length(double x, double y, double z)
 {
     return std::sqrt(x*x + y*y + z*z);
+}
+
+impactInline double length(const row (&q)[3], int i)
+{
+    return length(q[0][i], q[1][i], q[2][i]);
+}
+
+impactInline double gap(const row (&a)[3], const row (&b)[3], int i)
+{
+    return length(a[0][i] - b[0][i], a[1][i] - b[1][i], a[2][i] - b[2][i]);
 }
 
 //- What a rate changes in a step that may be long for its relaxation k
@@ -87,8 +109,7 @@ impactKernel void impact::motionKernels::reynolds
 (
     const int n,
     const gasRows& __restrict__ gas,
-    const row (&__restrict__ v)[3],
-    const row (&__restrict__ omega)[3],
+    const stateRows& __restrict__ s,
     const row& __restrict__ d,
     const double gammaR,
     numbers& __restrict__ q
@@ -97,19 +118,9 @@ impactKernel void impact::motionKernels::reynolds
     for (int i = 0; i < n; ++i)
     {
         const double ReOverSpeed = d[i]*gas.rho[i]/gas.mu[i];
-        q.Re[i] = ReOverSpeed*length
-        (
-            gas.u[0][i] - v[0][i],
-            gas.u[1][i] - v[1][i],
-            gas.u[2][i] - v[2][i]
-        );
+        q.Re[i] = ReOverSpeed*gap(gas.u, s.v, i);
         q.K[i] = 1/(ReOverSpeed*std::sqrt(gammaR*gas.T[i]));
-        q.ReOmega[i] = ReOverSpeed*d[i]*length
-        (
-            gas.spin[0][i] - omega[0][i],
-            gas.spin[1][i] - omega[1][i],
-            gas.spin[2][i] - omega[2][i]
-        );
+        q.ReOmega[i] = ReOverSpeed*d[i]*gap(gas.spin, s.omega, i);
     }
 }
 
@@ -118,11 +129,8 @@ impactKernel void impact::motionKernels::rates
 (
     const int n,
     const gasRows& __restrict__ gas,
-    const row (&__restrict__ v)[3],
-    const row (&__restrict__ omega)[3],
-    const row& __restrict__ inverseRhoP,
-    const row& __restrict__ drag0,
-    const row& __restrict__ torque0,
+    const stateRows& __restrict__ s,
+    const constantRows& __restrict__ q,
     const row& __restrict__ CdRe,
     const row& __restrict__ magnus,
     const row& __restrict__ clRe,
@@ -135,16 +143,16 @@ impactKernel void impact::motionKernels::rates
     const vector3 gravity = g, keep = solved, keepSpin = rotation;
     for (int i = 0; i < n; ++i)
     {
-        const double density = gas.rho[i]*inverseRhoP[i];
-        const double k = drag0[i]*gas.mu[i]*CdRe[i];
-        const double kSpin = torque0[i]*gas.mu[i]*clRe[i];
+        const double density = gas.rho[i]*q.inverseRhoP[i];
+        const double k = q.drag0[i]*gas.mu[i]*CdRe[i];
+        const double kSpin = q.torque0[i]*gas.mu[i]*clRe[i];
         const double c = 0.75*density*magnus[i];
-        const double wx = gas.u[0][i] - v[0][i];
-        const double wy = gas.u[1][i] - v[1][i];
-        const double wz = gas.u[2][i] - v[2][i];
-        const double Wx = gas.spin[0][i] - omega[0][i];
-        const double Wy = gas.spin[1][i] - omega[1][i];
-        const double Wz = gas.spin[2][i] - omega[2][i];
+        const double wx = gas.u[0][i] - s.v[0][i];
+        const double wy = gas.u[1][i] - s.v[1][i];
+        const double wz = gas.u[2][i] - s.v[2][i];
+        const double Wx = gas.spin[0][i] - s.omega[0][i];
+        const double Wy = gas.spin[1][i] - s.omega[1][i];
+        const double Wz = gas.spin[2][i] - s.omega[2][i];
         const double tx = c*Wx, ty = c*Wy, tz = c*Wz;
         const double buoyant = 1 - density;
         r.k[i] = k;
@@ -165,10 +173,7 @@ impactKernel void impact::motionKernels::rates
 impactKernel void impact::motionKernels::stretch
 (
     const int n,
-    const row (&__restrict__ x)[3],
-    const row (&__restrict__ v)[3],
-    const row (&__restrict__ omega)[3],
-    const row& __restrict__ enthalpy,
+    const stateRows& __restrict__ start,
     const rateRows& __restrict__ f,
     const row& __restrict__ hMax,
     const row& __restrict__ hTry,
@@ -180,17 +185,17 @@ impactKernel void impact::motionKernels::stretch
     for (int i = 0; i < n; ++i)
     {
         h[i] = hMax[i] < hTry[i] ? hMax[i] : hTry[i];
-        middle.h[i] = enthalpy[i] + h[i]*(1./5)*f.hDot[i];
+        middle.h[i] = start.h[i] + h[i]*(1./5)*f.hDot[i];
     }
     for (int c = 0; c < 3; ++c)
     {
         for (int i = 0; i < n; ++i)
         {
             const double w = h[i]*(1./5);
-            middle.x[c][i] = w*v[c][i];
-            place[c][i] = x[c][i] + middle.x[c][i];
-            middle.v[c][i] = v[c][i] + w*f.a[c][i];
-            middle.omega[c][i] = omega[c][i] + w*f.alpha[c][i];
+            middle.x[c][i] = w*start.v[c][i];
+            place[c][i] = start.x[c][i] + middle.x[c][i];
+            middle.v[c][i] = start.v[c][i] + w*f.a[c][i];
+            middle.omega[c][i] = start.omega[c][i] + w*f.alpha[c][i];
         }
     }
 }
@@ -200,18 +205,14 @@ impactKernel void impact::motionKernels::end
 (
     const int n,
     const gasRows& __restrict__ gas,
-    const row (&__restrict__ v)[3],
-    const row (&__restrict__ omega)[3],
-    const row& __restrict__ enthalpy,
+    const stateRows& __restrict__ start,
     const rateRows& __restrict__ f,
     const stateRows& __restrict__ middle,
     const rateRows& __restrict__ g,
     const row& __restrict__ h,
     const double tolerance,
     stateRows& __restrict__ last,
-    row& __restrict__ vScale,
-    row& __restrict__ spinScale,
-    row& __restrict__ hScale,
+    scaleRows& __restrict__ scales,
     row& __restrict__ worst,
     row& __restrict__ power,
     row& __restrict__ accepted,
@@ -223,55 +224,49 @@ impactKernel void impact::motionKernels::end
         for (int i = 0; i < n; ++i)
         {
             const double w0 = h[i]*(-3./2), w1 = h[i]*(5./2);
-            last.x[c][i] = w0*v[c][i] + w1*middle.v[c][i];
-            last.v[c][i] = v[c][i] + w0*f.a[c][i] + w1*g.a[c][i];
+            last.x[c][i] = w0*start.v[c][i] + w1*middle.v[c][i];
+            last.v[c][i] = start.v[c][i] + w0*f.a[c][i] + w1*g.a[c][i];
             last.omega[c][i] =
-                omega[c][i] + w0*f.alpha[c][i] + w1*g.alpha[c][i];
+                start.omega[c][i] + w0*f.alpha[c][i] + w1*g.alpha[c][i];
         }
     }
     for (int i = 0; i < n; ++i)
     {
-        const double sizeA = largest(f.a[0][i], f.a[1][i], f.a[2][i]);
-        const double sizeAlpha =
-            largest(f.alpha[0][i], f.alpha[1][i], f.alpha[2][i]);
-        const double gasSpeed =
-            length(gas.u[0][i], gas.u[1][i], gas.u[2][i]);
-        const double gasSpin =
-            length(gas.spin[0][i], gas.spin[1][i], gas.spin[2][i]);
-        const double speed = largest(v[0][i], v[1][i], v[2][i]);
-        const double spin = largest(omega[0][i], omega[1][i], omega[2][i]);
-        vScale[i] =
-            larger(larger(speed, gasSpeed), gain(sizeA, f.k[i], h[i]))
-          + 1e-100;
-        spinScale[i] = larger
+        const double sizeA = largest(f.a, i);
+        const double sizeAlpha = largest(f.alpha, i);
+        const double speed = larger(largest(start.v, i), length(gas.u, i));
+        const double spin =
+            larger(largest(start.omega, i), length(gas.spin, i));
+        scales.v[i] = larger(speed, gain(sizeA, f.k[i], h[i])) + 1e-100;
+        scales.omega[i] = larger
         (
-            larger(spin, gasSpin),
+            spin,
             larger(gain(sizeAlpha, f.kSpin[i], h[i]), particleMotion::noSpin)
         );
         const double dv = largest
         (
-            last.v[0][i] - (v[0][i] + h[i]*f.a[0][i]),
-            last.v[1][i] - (v[1][i] + h[i]*f.a[1][i]),
-            last.v[2][i] - (v[2][i] + h[i]*f.a[2][i])
+            last.v[0][i] - (start.v[0][i] + h[i]*f.a[0][i]),
+            last.v[1][i] - (start.v[1][i] + h[i]*f.a[1][i]),
+            last.v[2][i] - (start.v[2][i] + h[i]*f.a[2][i])
         );
         const double dOmega = largest
         (
-            last.omega[0][i] - (omega[0][i] + h[i]*f.alpha[0][i]),
-            last.omega[1][i] - (omega[1][i] + h[i]*f.alpha[1][i]),
-            last.omega[2][i] - (omega[2][i] + h[i]*f.alpha[2][i])
+            last.omega[0][i] - (start.omega[0][i] + h[i]*f.alpha[0][i]),
+            last.omega[1][i] - (start.omega[1][i] + h[i]*f.alpha[1][i]),
+            last.omega[2][i] - (start.omega[2][i] + h[i]*f.alpha[2][i])
         );
         last.h[i] =
-            enthalpy[i] + h[i]*(-3./2)*f.hDot[i] + h[i]*(5./2)*g.hDot[i];
-        hScale[i] =
+            start.h[i] + h[i]*(-3./2)*f.hDot[i] + h[i]*(5./2)*g.hDot[i];
+        scales.h[i] =
             larger
             (
-                enthalpy[i], gain(std::fabs(f.hDot[i]), f.kHeat[i], h[i])
+                start.h[i], gain(std::fabs(f.hDot[i]), f.kHeat[i], h[i])
             ) + 1e-100;
         const double dh =
-            std::fabs(last.h[i] - (enthalpy[i] + h[i]*f.hDot[i]));
+            std::fabs(last.h[i] - (start.h[i] + h[i]*f.hDot[i]));
         const double first = larger
         (
-            larger(dv/vScale[i], dOmega/spinScale[i]), dh/hScale[i]
+            larger(dv/scales.v[i], dOmega/scales.omega[i]), dh/scales.h[i]
         )/tolerance;
 
         // Errors of orders 1 and 5: see particleMotion::step
@@ -280,24 +275,14 @@ impactKernel void impact::motionKernels::end
         const double fastest = larger
         (
             larger(larger(f.k[i], f.kSpin[i]), f.kHeat[i]),
-            largest(f.turn[0][i], f.turn[1][i], f.turn[2][i])
+            largest(f.turn, i)
         );
         const double heatChange =
             std::fabs(g.hDot[i] - f.hDot[i])/(std::fabs(f.hDot[i]) + 1e-100);
         const double motionChange = larger
         (
-            largest
-            (
-                g.a[0][i] - f.a[0][i],
-                g.a[1][i] - f.a[1][i],
-                g.a[2][i] - f.a[2][i]
-            )/(sizeA + 1e-100),
-            largest
-            (
-                g.alpha[0][i] - f.alpha[0][i],
-                g.alpha[1][i] - f.alpha[1][i],
-                g.alpha[2][i] - f.alpha[2][i]
-            )/(sizeAlpha + 1e-100)
+            largestGap(g.a, f.a, i)/(sizeA + 1e-100),
+            largestGap(g.alpha, f.alpha, i)/(sizeAlpha + 1e-100)
         );
         const double change = 5*larger(motionChange, heatChange);
         const double share = 2*larger(change, h[i]*fastest);
@@ -316,9 +301,7 @@ impactKernel void impact::motionKernels::end
 impactKernel void impact::motionKernels::sum
 (
     const int n,
-    const row (&__restrict__ v)[3],
-    const row (&__restrict__ omega)[3],
-    const row& __restrict__ enthalpy,
+    const stateRows& __restrict__ start,
     const row& __restrict__ h,
     const row (* __restrict__ kx)[3],
     const rateRows* __restrict__ k,
@@ -329,7 +312,7 @@ impactKernel void impact::motionKernels::sum
 {
     for (int i = 0; i < n; ++i)
     {
-        s.h[i] = enthalpy[i];
+        s.h[i] = start.h[i];
     }
     for (int j = 0; j < nSlopes; ++j)
     {
@@ -344,8 +327,8 @@ impactKernel void impact::motionKernels::sum
         for (int i = 0; i < n; ++i)
         {
             s.x[c][i] = 0;
-            s.v[c][i] = v[c][i];
-            s.omega[c][i] = omega[c][i];
+            s.v[c][i] = start.v[c][i];
+            s.omega[c][i] = start.omega[c][i];
         }
         for (int j = 0; j < nSlopes; ++j)
         {
@@ -367,9 +350,7 @@ impactKernel void impact::motionKernels::error
     const int n,
     const stateRows& __restrict__ a,
     const stateRows& __restrict__ b,
-    const row& __restrict__ vScale,
-    const row& __restrict__ spinScale,
-    const row& __restrict__ hScale,
+    const scaleRows& __restrict__ scales,
     const double tolerance,
     row& __restrict__ worst
 )
@@ -378,20 +359,10 @@ impactKernel void impact::motionKernels::error
     {
         const double motion = larger
         (
-            largest
-            (
-                a.v[0][i] - b.v[0][i],
-                a.v[1][i] - b.v[1][i],
-                a.v[2][i] - b.v[2][i]
-            )/vScale[i],
-            largest
-            (
-                a.omega[0][i] - b.omega[0][i],
-                a.omega[1][i] - b.omega[1][i],
-                a.omega[2][i] - b.omega[2][i]
-            )/spinScale[i]
+            largestGap(a.v, b.v, i)/scales.v[i],
+            largestGap(a.omega, b.omega, i)/scales.omega[i]
         );
         worst[i] =
-            larger(motion, std::fabs(a.h[i] - b.h[i])/hScale[i])/tolerance;
+            larger(motion, std::fabs(a.h[i] - b.h[i])/scales.h[i])/tolerance;
     }
 }

@@ -35,9 +35,7 @@ void impact::motionLanes::rates
     const spheres& s,
     const row (&x)[3],
     const gasRows& there,
-    const row (&u)[3],
-    const row (&spin)[3],
-    const row& enthalpies,
+    const stateRows& state,
     rateRows& r
 ) const
 {
@@ -46,13 +44,13 @@ void impact::motionLanes::rates
     row CdRe, magnus, clRe, T, TpOverT;
     motionKernels::reynolds
     (
-        n, there, u, spin, s.d, heat_ ? heat_->gammaR() : p.gammaR_, q
+        n, there, state, s.d, heat_ ? heat_->gammaR() : p.gammaR_, q
     );
     if (heat_)
     {
         for (int i = 0; i < n; ++i)
         {
-            T[i] = heat_->material().T(enthalpies[i]);
+            T[i] = heat_->material().T(state.h[i]);
             TpOverT[i] = T[i]/there.T[i];
         }
     }
@@ -85,19 +83,18 @@ void impact::motionLanes::rates
     }
     motionKernels::rates
     (
-        n, there, u, spin, s.inverseRhoP, s.drag0, s.torque0, CdRe, magnus,
-        clRe, p.g_, solved_, rotation_, r
+        n, there, state, s, CdRe, magnus, clRe, p.g_, solved_, rotation_, r
     );
     if (secondary_.any())
     {
-        addSecondary(n, s, x, there, u, r);
+        addSecondary(n, s, x, there, state.v, r);
     }
     if (heat_)
     {
         heat_->rates
         (
             n, q.Re, q.K, there.mu, there.T, s.convection0, s.radiation0, T,
-            enthalpies, r.hDot, r.kHeat
+            state.h, r.hDot, r.kHeat
         );
     }
     else
@@ -142,18 +139,9 @@ void impact::motionLanes::addSecondary
 
 void impact::motionLanes::spheres::take(const spheres& from, int j, int i)
 {
+    copy<stateRows>(from, j, *this, i);
+    copy<constantRows>(from, j, *this, i);
     gas[i] = from.gas[j];
-    set(x, i, of(from.x, j));
-    set(v, i, of(from.v, j));
-    set(omega, i, of(from.omega, j));
-    set(eddy, i, of(from.eddy, j));
-    enthalpy[i] = from.enthalpy[j];
-    d[i] = from.d[j];
-    inverseRhoP[i] = from.inverseRhoP[j];
-    drag0[i] = from.drag0[j];
-    torque0[i] = from.torque0[j];
-    convection0[i] = from.convection0[j];
-    radiation0[i] = from.radiation0[j];
 }
 
 
@@ -165,19 +153,14 @@ void impact::motionLanes::longer::keep(int j, int i)
     }
     take(*this, j, i);
     index[i] = index[j];
-    for (row* r : {&h, &vScale, &spinScale, &hScale, &worst, &state.h})
-    {
-        (*r)[i] = (*r)[j];
-    }
-    set(state.x, i, of(state.x, j));
-    set(state.v, i, of(state.v, j));
-    set(state.omega, i, of(state.omega, j));
+    step[i] = step[j];
+    worst[i] = worst[j];
+    copy(scales, j, scales, i);
+    copy(state, j, state, i);
     for (int stage = 0; stage < 4; ++stage)
     {
-        set(kx[stage], i, of(kx[stage], j));
-        set(k[stage].a, i, of(k[stage].a, j));
-        set(k[stage].alpha, i, of(k[stage].alpha, j));
-        k[stage].hDot[i] = k[stage].hDot[j];
+        copy(kx[stage], j, kx[stage], i);
+        copy(k[stage], j, k[stage], i);
     }
 }
 
@@ -191,9 +174,7 @@ void impact::motionLanes::stages(int from, int to)
     {
         motionKernels::sum
         (
-            l.n, l.v, l.omega, l.enthalpy, l.h, l.kx, l.k,
-            cashKarp::stage[stage], stage,
-            l.other
+            l.n, l, l.step, l.kx, l.k, cashKarp::stage[stage], stage, l.other
         );
         for (int c = 0; c < 3; ++c)
         {
@@ -204,11 +185,7 @@ void impact::motionLanes::stages(int from, int to)
             }
         }
         gasAt(l.n, l, place, gasThere);
-        rates
-        (
-            l.n, l, place, gasThere, l.other.v, l.other.omega, l.other.h,
-            l.k[stage]
-        );
+        rates(l.n, l, place, gasThere, l.other, l.k[stage]);
     }
 }
 
@@ -222,10 +199,7 @@ void impact::motionLanes::accept(double limit, double nEvaluations, double root)
         const int to = l.index[i];
         if (l.worst[i] <= 1)
         {
-            set(last.x, to, of(l.state.x, i));
-            set(last.v, to, of(l.state.v, i));
-            set(last.omega, to, of(l.state.omega, i));
-            last.h[to] = l.state.h[i];
+            copy(l.state, i, last, to);
             worst[to] = l.worst[i];
             power[to] = root;
             nForces[to] = nEvaluations;
@@ -253,21 +227,13 @@ void impact::motionLanes::goOn(int n)
         const int to = l.n++;
         l.index[to] = i;
         l.take(now, i, to);
-        l.hScale[to] = hScale[i];
-        l.k[0].hDot[to] = f.hDot[i];
-        l.k[1].hDot[to] = g.hDot[i];
-        l.other.h[to] = last.h[i];
-        l.h[to] = h[i];
-        l.vScale[to] = vScale[i];
-        l.spinScale[to] = spinScale[i];
-        set(l.kx[0], to, of(now.v, i));
-        set(l.k[0].a, to, of(f.a, i));
-        set(l.k[0].alpha, to, of(f.alpha, i));
-        set(l.kx[1], to, of(middle.v, i));
-        set(l.k[1].a, to, of(g.a, i));
-        set(l.k[1].alpha, to, of(g.alpha, i));
-        set(l.other.v, to, of(last.v, i));
-        set(l.other.omega, to, of(last.omega, i));
+        l.step[to] = h[i];
+        copy(scales, i, l.scales, to);
+        copy(now.v, i, l.kx[0], to);
+        copy(f, i, l.k[0], to);
+        copy(middle.v, i, l.kx[1], to);
+        copy(g, i, l.k[1], to);
+        copy(last, i, l.other, to);
     }
     if (l.n == 0)
     {
@@ -278,16 +244,8 @@ void impact::motionLanes::goOn(int n)
     // the sixth power of the step: see particleMotion::step.
     const stateRows second(l.other);
     stages(2, 4);
-    motionKernels::sum
-    (
-        l.n, l.v, l.omega, l.enthalpy, l.h, l.kx, l.k, cashKarp::third, 4,
-        l.state
-    );
-    motionKernels::error
-    (
-        l.n, l.state, second, l.vScale, l.spinScale, l.hScale, tolerance_,
-        l.worst
-    );
+    motionKernels::sum(l.n, l, l.step, l.kx, l.k, cashKarp::third, 4, l.state);
+    motionKernels::error(l.n, l.state, second, l.scales, tolerance_, l.worst);
     accept(std::sqrt(tolerance_)/tolerance_, 4, 1./3);
     if (l.n == 0)
     {
@@ -296,21 +254,12 @@ void impact::motionLanes::goOn(int n)
 
     // Order 5 against 4
     stages(4, 6);
+    motionKernels::sum(l.n, l, l.step, l.kx, l.k, cashKarp::fifth, 6, l.state);
     motionKernels::sum
     (
-        l.n, l.v, l.omega, l.enthalpy, l.h, l.kx, l.k, cashKarp::fifth, 6,
-        l.state
+        l.n, l, l.step, l.kx, l.k, cashKarp::fourth, 6, l.other
     );
-    motionKernels::sum
-    (
-        l.n, l.v, l.omega, l.enthalpy, l.h, l.kx, l.k, cashKarp::fourth, 6,
-        l.other
-    );
-    motionKernels::error
-    (
-        l.n, l.state, l.other, l.vScale, l.spinScale, l.hScale, tolerance_,
-        l.worst
-    );
+    motionKernels::error(l.n, l.state, l.other, l.scales, tolerance_, l.worst);
     accept(0, 6, 1./5);
 }
 
@@ -348,7 +297,7 @@ void impact::motionLanes::sphere(int i, double diameter, double rhoP)
     now.torque0[i] = rotationalTorque::scale(diameter, rhoP, 1);
     now.convection0[i] = heat_ ? heat_->convection(diameter, rhoP) : 0;
     now.radiation0[i] = heat_ ? heat_->radiation(diameter, rhoP) : 0;
-    now.enthalpy[i] = 0;
+    now.h[i] = 0;
     set(now.eddy, i, vector3{0, 0, 0});
 }
 
@@ -363,24 +312,20 @@ void impact::motionLanes::move(int j, int i)
 void impact::motionLanes::begin(int n)
 {
     gasAt(n, now, now.x, here);
-    rates(n, now, now.x, here, now.v, now.omega, now.enthalpy, f);
+    rates(n, now, now.x, here, now, f);
 }
 
 
 void impact::motionLanes::end(int n)
 {
     row place[3];
-    motionKernels::stretch
-    (
-        n, now.x, now.v, now.omega, now.enthalpy, f, hMax, hTry, h, middle,
-        place
-    );
+    motionKernels::stretch(n, now, f, hMax, hTry, h, middle, place);
     gasAt(n, now, place, there);
-    rates(n, now, place, there, middle.v, middle.omega, middle.h, g);
+    rates(n, now, place, there, middle, g);
     motionKernels::end
     (
-        n, here, now.v, now.omega, now.enthalpy, f, middle, g, h, tolerance_,
-        last, vScale, spinScale, hScale, worst, power, accepted, more_
+        n, here, now, f, middle, g, h, tolerance_, last, scales, worst, power,
+        accepted, more_
     );
     for (int i = 0; i < n; ++i)
     {
