@@ -9,6 +9,7 @@ Description
 #include "collisionStep.H"
 #include "counterRandom.H"
 #include "pairLaw.H"
+#include "planeWalls.H"
 
 #include <gtest/gtest.h>
 #include <algorithm>

@@ -422,11 +422,6 @@ TEST(contactTime, letsRestingPairsSinkInByALittle)
         m.s = {1 + gap, 0, 0};
         m.v = {-1e-3, 0, 0};
         EXPECT_NEAR(m.solve(rest), (gap + 1e-4)/1e-3, 1e-10);
-        EXPECT_NEAR
-        (
-            planeContact(1 + gap, -1e-3, 0, 1, 10, rest), m.solve(rest),
-            1e-10
-        );
         m.v = {-2e-2, 0, 0};
         EXPECT_NEAR(m.solve(rest), std::max(gap, 0.)/2e-2, 1e-10);
 
@@ -439,8 +434,6 @@ TEST(contactTime, letsRestingPairsSinkInByALittle)
             const double expected = std::min(deep, 1e-2/a);
             // The rate of p is taken for the speed: s against sigma
             EXPECT_NEAR(m.solve(rest), expected, 1e-4*expected);
-            EXPECT_NEAR
-                (planeContact(1 + gap, 0, -a, 1, 10, rest), expected, 1e-9);
         }
         m.a = {0, 0, 0};
     }
@@ -448,7 +441,6 @@ TEST(contactTime, letsRestingPairsSinkInByALittle)
     m.s = {1 - 2e-4, 0, 0};
     m.v = {-1e-3, 0, 0};
     EXPECT_EQ(m.solve(rest), 0);
-    EXPECT_EQ(planeContact(1 - 2e-4, -1e-3, 0, 1, 10, rest), 0);
 }
 
 
@@ -476,48 +468,5 @@ TEST(contactTime, ofSmallAccelerationIsThatOfStraightPaths)
         const double closing =
             std::fabs(dot(s + straight*v, v))/mag(v);
         EXPECT_NEAR(curved, straight, 1e-11/closing);
-    }
-}
-
-
-TEST(contactTime, ofPlanes)
-{
-    EXPECT_EQ(planeContact(3, -2, 0, 1, never), 1);
-    EXPECT_EQ(planeContact(3, 2, 0, 1, never), never);
-    EXPECT_EQ(planeContact(3, -2, 0, 1, 0.99), never);
-    EXPECT_NEAR(planeContact(1.5, 0, -1, 1, 10), 1, 1e-15);
-    EXPECT_NEAR(planeContact(1, 2, -1, 1, 10), 4, 1e-15);
-    EXPECT_NEAR(planeContact(2, -3, 1, 1, 10), 3 - std::sqrt(7.), 1e-15);
-    EXPECT_EQ(planeContact(2, -1, 1, 1, 10), never);
-    EXPECT_EQ(planeContact(0.9, -1e-3, 0, 1, 10), 0);
-    EXPECT_EQ(planeContact(0.9, 1e-3, 0, 1, 10), never);
-    EXPECT_NEAR(planeContact(0.9, 0.1, -1, 1, 10), 0.1, 1e-15);
-
-    // Resting: an event only once it sinks at the given speed
-    const contactTolerance rest = {1e-12, 1e-3};
-    EXPECT_NEAR(planeContact(1, 0, -10, 1, 10, rest), 1e-4, 1e-18);
-    EXPECT_NEAR(planeContact(1, 1e-2, -10, 1, 10, rest), 2e-3, 1e-17);
-    EXPECT_EQ(planeContact(1, -1e-4, 0, 1, 10, rest), never);
-    EXPECT_EQ(planeContact(1, -1e-2, 0, 1, 10, rest), 0);
-
-    for (int i = 0; i < 5000; ++i)
-    {
-        counterRandom rnd(24, i);
-        const double h = 1 + 3*rnd.uniform();
-        const double v = 2*rnd.normal(), a = rnd.normal();
-        const double t = planeContact(h, v, a, 1, 50);
-        if (t != never)
-        {
-            EXPECT_NEAR(h + t*(v + 0.5*a*t), 1, 1e-14*(1 + t*t));
-            EXPECT_LT(v + a*t, 0);
-        }
-        else
-        {
-            const double turn = a > 0 ? std::min(50., -v/a) : 50;
-            if (turn > 0)
-            {
-                EXPECT_GT(h + turn*(v + 0.5*a*turn), 1 - 1e-13);
-            }
-        }
     }
 }
