@@ -8,6 +8,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "wallVisit.H"
+#include "contactSearch.H"
 #include "orientation.H"
 #include "counterRandom.H"
 
@@ -108,6 +109,40 @@ bodyState randomState
     return s;
 }
 
+
+template<class Shadow>
+contactPoint contactOf
+(
+    const convexBody& body,
+    const bodyState& s,
+    reliefPiece& piece
+)
+{
+    freeRotation rotation(body, s.rotation);
+    bool lost = false;
+    std::int64_t hint = 0;
+    return contactSearch<Shadow>
+        (
+            body, freeRotation::skewness(body), s, rotation, piece, hint
+        ).find(false, 0, lost);
+}
+
+
+contactPoint firstContact
+(
+    const convexBody& body,
+    const bodyState& s,
+    reliefPiece& piece
+)
+{
+    return flatSpheroid::holds(body, piece.model())
+      ? contactOf<flatSpheroid>(body, s, piece)
+      : body.shape() == convexBody::shapeType::ellipsoid
+      ? contactOf<ellipseShadow>(body, s, piece)
+      : body.isBox() ? contactOf<boxShadow>(body, s, piece)
+      : contactOf<polygonShadow>(body, s, piece);
+}
+
 } // End anonymous namespace
 
 
@@ -150,7 +185,6 @@ TEST(wallVisit, findsTheFirstContactThatBruteForceFinds)
     {
         const convexBody& body = bodies[k];
         const std::vector<vector3> points = surfacePoints(body);
-        const wallVisit visit(body, reboundLaw::restitution());
         for (std::size_t m = 0; m < reliefs.size(); ++m)
         {
             reliefPiece piece(reliefs[m], 5);
@@ -160,7 +194,7 @@ TEST(wallVisit, findsTheFirstContactThatBruteForceFinds)
                 piece.start(1000*k + i, 20);
                 const bodyState s =
                     randomState(rnd, body, i % 3, reliefs[m].top());
-                const contactPoint c = visit.firstContact(s, piece);
+                const contactPoint c = firstContact(body, s, piece);
                 ASSERT_TRUE(c.found);
                 ++found;
 

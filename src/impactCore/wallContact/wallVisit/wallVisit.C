@@ -8,18 +8,6 @@
 #include <cmath>
 
 
-namespace
-{
-
-template<class Shadow>
-struct shadowType
-{
-    typedef Shadow type;
-};
-
-} // End anonymous namespace
-
-
 impact::wallVisit::wallVisit
 (
     const convexBody& body,
@@ -124,18 +112,6 @@ impact::visitResult impact::wallVisit::visitWith
 }
 
 
-template<class Use>
-auto impact::wallVisit::withShadow(const relief& wall, const Use& use) const
-{
-    return flatSpheroid::holds(*body_, wall)
-      ? use(shadowType<flatSpheroid>())
-      : body_->shape() == convexBody::shapeType::ellipsoid
-      ? use(shadowType<ellipseShadow>())
-      : body_->isBox()
-      ? use(shadowType<boxShadow>()) : use(shadowType<polygonShadow>());
-}
-
-
 impact::visitResult impact::wallVisit::visit
 (
     const bodyState& state,
@@ -143,29 +119,10 @@ impact::visitResult impact::wallVisit::visit
     std::int64_t hint
 ) const
 {
-    return withShadow(piece.model(), [&](auto shadow)
-    {
-        typedef typename decltype(shadow)::type Shadow;
-        return visitWith<Shadow>(state, piece, hint);
-    });
-}
-
-
-impact::contactPoint impact::wallVisit::firstContact
-(
-    const bodyState& state,
-    reliefPiece& piece,
-    std::int64_t hint
-) const
-{
-    return withShadow(piece.model(), [&](auto shadow)
-    {
-        typedef typename decltype(shadow)::type Shadow;
-        freeRotation rotation(*body_, state.rotation);
-        bool lost = false;
-        return contactSearch<Shadow>
-            (
-                *body_, skewness_, state, rotation, piece, hint
-            ).find(false, 0, lost);
-    });
+    return flatSpheroid::holds(*body_, piece.model())
+      ? visitWith<flatSpheroid>(state, piece, hint)
+      : body_->shape() == convexBody::shapeType::ellipsoid
+      ? visitWith<ellipseShadow>(state, piece, hint)
+      : body_->isBox() ? visitWith<boxShadow>(state, piece, hint)
+      : visitWith<polygonShadow>(state, piece, hint);
 }
