@@ -131,15 +131,14 @@ TEST(philoxLanes, drawsTheWordsOfTheCounterRandom)
             }
         }
     }
-    double u0, u1, u2;
-    threeUnits(0, 0, 0, 0, u0, u1, u2);
-    EXPECT_EQ(u0, 0x1p-43);
-    EXPECT_EQ(u2, 0x1p-43);
+    const threeUnits least(0, 0, 0, 0);
+    EXPECT_EQ(least.u0, 0x1p-43);
+    EXPECT_EQ(least.u2, 0x1p-43);
     const std::uint64_t w = 0xffffffff;
-    threeUnits(w, w, w, w, u0, u1, u2);
-    EXPECT_EQ(u0, 1 - 0x1p-43);
-    EXPECT_EQ(u1, 1 - 0x1p-43);
-    EXPECT_EQ(u2, 1 - 0x1p-43);
+    const threeUnits most(w, w, w, w);
+    EXPECT_EQ(most.u0, 1 - 0x1p-43);
+    EXPECT_EQ(most.u1, 1 - 0x1p-43);
+    EXPECT_EQ(most.u2, 1 - 0x1p-43);
     EXPECT_LT(unitOf((1ull << 52) - 1), 1);
     EXPECT_GT(unitOf(0), 0);
 }

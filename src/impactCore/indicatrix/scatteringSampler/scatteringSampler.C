@@ -17,29 +17,6 @@ using impact::smoothLanes;
 
 typedef impact::scatteringStatistics S;
 
-//- Uniform numbers of one particle for one purpose
-struct draws
-{
-    double u0, u1, u2;
-
-    draws
-    (
-        std::uint64_t seed,
-        std::uint32_t block,
-        std::uint32_t purpose,
-        std::int64_t particle
-    )
-    {
-        std::uint64_t w0, w1, w2, w3;
-        impact::philoxLane
-        (
-            seed, block, purpose, std::uint64_t(particle), w0, w1, w2, w3
-        );
-        impact::threeUnits(w0, w1, w2, w3, u0, u1, u2);
-    }
-};
-
-
 //- A lane with all but its last impact
 void copyLane(const smoothLanes& a, int i, smoothLanes& b, int j)
 {
@@ -237,17 +214,9 @@ impact::bodyState impact::scatteringSampler::arrival
 {
     const setup& s = setup_;
     bodyState b;
-    const draws o(s.seed, 0, drawPurpose::orientation, i);
-    if (s.orientation == orientationLaw::isotropic)
-    {
-        orient<orientationLaw::isotropic>
-            (o.u0, o.u1, o.u2, b.rotation.ex, b.rotation.ey);
-    }
-    else
-    {
-        orient<orientationLaw::uniformEuler>
-            (o.u0, o.u1, o.u2, b.rotation.ex, b.rotation.ey);
-    }
+    const threeUnits o = threeUnits::drawn
+        (s.seed, 0, drawPurpose::orientation, std::uint64_t(i));
+    orient(s.orientation, o.u0, o.u1, o.u2, b.rotation.ex, b.rotation.ey);
     b.V = V1_;
     b.rotation.omega =
         s.spin.x*b.rotation.ex + s.spin.y*b.rotation.ey
@@ -258,10 +227,10 @@ impact::bodyState impact::scatteringSampler::arrival
     if (wall.type() == relief::reliefType::periodic)
     {
         // Neither does a smooth wall depend on where it is met
-        const draws p(s.seed, 0, drawPurpose::position, i);
-        b.x = s.wall ? p.u0*wall.period() : 0.5*wall.period();
-        hint = s.wall
-          ? std::int64_t(p.u0*double(wall.table().size())) : 0;
+        const double u = threeUnits::drawn
+            (s.seed, 0, drawPurpose::position, std::uint64_t(i)).u0;
+        b.x = s.wall ? u*wall.period() : 0.5*wall.period();
+        hint = s.wall ? std::int64_t(u*double(wall.table().size())) : 0;
         return b;
     }
 
@@ -271,23 +240,9 @@ impact::bodyState impact::scatteringSampler::arrival
         piece.start(std::uint64_t(identity), perPiece_*stretch_);
         pieceIdentity = identity;
     }
-    // A uniformly random place on the wall lies in a long interval more
-    // often than in a short one: intervals of the stretch are accepted in
-    // proportion to their length. One that is refused is a short one, mostly:
-    // the body stays clear of it
     hint = (i - identity*perPiece_)*stretch_;
-    const double longest = wall.meanSpacing() + 3*wall.sigmaSpacing();
-    for (std::uint32_t attempt = 0; ; ++attempt, hint += before_ + 1)
-    {
-        const draws p(s.seed, attempt, drawPurpose::position, i);
-        const double begin = piece.knot(hint);
-        const double length = piece.knot(hint + 1) - begin;
-        if (p.u0*longest < length)
-        {
-            b.x = begin + p.u1*length;
-            return b;
-        }
-    }
+    b.x = piece.drawPlace(s.seed, std::uint64_t(i), before_ + 1, hint);
+    return b;
 }
 
 

@@ -253,16 +253,10 @@ impactInline void arrive
     };
     for (int i = 0; i < n; ++i)
     {
-        std::uint64_t w0, w1, w2, w3;
-        philoxLane
-        (
-            seed, 0, drawPurpose::orientation, std::uint64_t(first + i),
-            w0, w1, w2, w3
-        );
-        double u0, u1, u2;
-        threeUnits(w0, w1, w2, w3, u0, u1, u2);
+        const threeUnits u = threeUnits::drawn
+            (seed, 0, drawPurpose::orientation, std::uint64_t(first + i));
         vector3 ex, ey;
-        orient<law>(u0, u1, u2, ex, ey);
+        orient<law>(u.u0, u.u1, u.u2, ex, ey);
         ex = ownAxes(ex);
         ey = ownAxes(ey);
         put(l.ex, i, ex);

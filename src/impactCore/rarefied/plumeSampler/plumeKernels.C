@@ -13,23 +13,10 @@ namespace
 
 using namespace impact;
 
-impactInline void draw
-(
-    const plumeDraws& d,
-    std::uint32_t block,
-    int i,
-    double& u0,
-    double& u1,
-    double& u2
-)
+impactInline threeUnits draw(const plumeDraws& d, std::uint32_t block, int i)
 {
-    std::uint64_t w0, w1, w2, w3;
-    philoxLane
-    (
-        d.seed, block, d.substream, std::uint64_t(d.first + i),
-        w0, w1, w2, w3
-    );
-    threeUnits(w0, w1, w2, w3, u0, u1, u2);
+    return threeUnits::drawn
+        (d.seed, block, d.substream, std::uint64_t(d.first + i));
 }
 
 
@@ -48,30 +35,28 @@ impactInline void emit
     const emissionTime t = time;
     for (int i = 0; i < n; ++i)
     {
-        double u0, u1, u2;
-        draw(d, 0, i, u0, u1, u2);
-        l.age[i] = t.observed - t.duration*u0;
+        const threeUnits u = draw(d, 0, i);
+        l.age[i] = t.observed - t.duration*u.u0;
 
         // 1 - cos keeps the digits of narrow beams
         const double versine =
             gaussian
-          ? -b.square*logarithm(1 - b.rest*u1)
-          : b.cone*u1;
+          ? -b.square*logarithm(1 - b.rest*u.u1)
+          : b.cone*u.u1;
         const double sine = std::sqrt(positivePart(versine*(2 - versine)));
         double s, c;
-        sinCosTurns(u2, s, c);
+        sinCosTurns(u.u2, s, c);
 
         double speed = b.speed;
         if (disc)
         {
-            double u3, u4, u5;
-            draw(d, 1, i, u3, u4, u5);
-            const double r = b.exitRadius*std::sqrt(u3);
+            const threeUnits p = draw(d, 1, i);
+            const double r = b.exitRadius*std::sqrt(p.u0);
             double sp, cp;
-            sinCosTurns(u4, sp, cp);
+            sinCosTurns(p.u1, sp, cp);
             l.x[1][i] = r*cp;
             l.x[2][i] = r*sp;
-            speed += b.deviation*truncatedNormal(u5);
+            speed += b.deviation*truncatedNormal(p.u2);
         }
         else
         {
@@ -135,10 +120,9 @@ impactKernel void emitTimes
     const emissionTime t = time;
     for (int i = 0; i < n; ++i)
     {
-        double u0, u1, u2;
-        draw(d, 0, i, u0, u1, u2);
-        l.age[i] = t.observed - t.duration*u0;
-        l.choice[i] = u1;
+        const threeUnits u = draw(d, 0, i);
+        l.age[i] = t.observed - t.duration*u.u0;
+        l.choice[i] = u.u1;
     }
 }
 
@@ -153,9 +137,8 @@ impactKernel void turnLanes
     const plumeDraws d = draws;
     for (int i = 0; i < n; ++i)
     {
-        double u0, u1, u2, s, c;
-        draw(d, 0, i, u0, u1, u2);
-        sinCosTurns(u2, s, c);
+        double s, c;
+        sinCosTurns(draw(d, 0, i).u2, s, c);
         const double y = l.x[1][i], z = l.x[2][i];
         const double v = l.v[1][i], w = l.v[2][i];
         l.x[1][i] = c*y - s*z;
@@ -177,11 +160,10 @@ impactKernel void smoothVelocities
     const plumeDraws d = draws;
     for (int i = 0; i < n; ++i)
     {
-        double u0, u1, u2;
-        draw(d, 1, i, u0, u1, u2);
-        l.v[0][i] += deviation*truncatedNormal(u0);
-        l.v[1][i] += deviation*truncatedNormal(u1);
-        l.v[2][i] += deviation*truncatedNormal(u2);
+        const threeUnits u = draw(d, 1, i);
+        l.v[0][i] += deviation*truncatedNormal(u.u0);
+        l.v[1][i] += deviation*truncatedNormal(u.u1);
+        l.v[2][i] += deviation*truncatedNormal(u.u2);
     }
 }
 

@@ -5,6 +5,7 @@
 #include "relief.H"
 #include "elementary.H"
 #include "outOfRange.H"
+#include "philoxLanes.H"
 
 #include <algorithm>
 #include <cmath>
@@ -510,6 +511,33 @@ void impact::reliefPiece::shape(std::int64_t i)
         if (s.steep < 0)
         {
             s = made[k];
+        }
+    }
+}
+
+
+double impact::reliefPiece::drawPlace
+(
+    std::uint64_t seed,
+    std::uint64_t stream,
+    int stride,
+    std::int64_t& interval
+)
+{
+    // It lies in a long interval more often than in a short one: they are
+    // accepted in proportion to their length. One that is refused is a short
+    // one, mostly: a body that is no longer than the stride stays clear of it
+    const double longest =
+        relief_->meanSpacing() + 3*relief_->sigmaSpacing();
+    for (std::uint32_t attempt = 0; ; ++attempt, interval += stride)
+    {
+        const threeUnits p =
+            threeUnits::drawn(seed, attempt, drawPurpose::position, stream);
+        const double begin = knot(interval);
+        const double length = knot(interval + 1) - begin;
+        if (p.u0*longest < length)
+        {
+            return begin + p.u1*length;
         }
     }
 }

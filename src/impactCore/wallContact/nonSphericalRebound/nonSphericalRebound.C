@@ -15,8 +15,6 @@ using namespace impact;
 //- The curvature of the relief of one visit may have a step of 3e-5 of it
 constexpr int guardKnots = 8;
 
-constexpr double pi = 3.14159265358979323846;
-
 
 //- Unit vector along the part of v that is tangential to the wall, or along
 //  an arbitrary direction if there is none
@@ -33,25 +31,6 @@ vector3 tangent(const vector3& n, const vector3& v)
     const vector3 other = axis - dot(axis, n)*n;
     return (1/mag(other))*other;
 }
-
-
-//- Three uniform numbers of one impact for one purpose
-struct keyedUnits
-{
-    double u0, u1, u2;
-
-    keyedUnits
-    (
-        const impactKey& key,
-        std::uint32_t block,
-        std::uint32_t purpose
-    )
-    {
-        std::uint64_t w0, w1, w2, w3;
-        philoxLane(key.seed, block, purpose, key.stream, w0, w1, w2, w3);
-        threeUnits(w0, w1, w2, w3, u0, u1, u2);
-    }
-};
 
 } // End anonymous namespace
 
@@ -84,7 +63,7 @@ impact::nonSphericalRebound::nonSphericalRebound
 )
 :
     encounter_(encounter),
-    diameter_(std::cbrt(6*encounter.body.volume()/pi)),
+    diameter_(encounter.body.equivalentDiameter()),
     visit_
     (
         encounter_.body, encounter.law, encounter.treatment,
@@ -152,20 +131,7 @@ void impact::nonSphericalRebound::placeOverRelief
 
     piece_.start(key.stream ^ key.seed, before + stretch);
 
-    // Long intervals hold more places than short ones. One that is refused is
-    // a short one, mostly: the body stays clear of it
-    const double longest = scaled_.meanSpacing() + 3*scaled_.sigmaSpacing();
-    for (std::uint32_t attempt = 0; ; ++attempt, hint += before + 1)
-    {
-        const keyedUnits p(key, attempt, drawPurpose::position);
-        const double begin = piece_.knot(hint);
-        const double length = piece_.knot(hint + 1) - begin;
-        if (p.u0*longest < length)
-        {
-            b.x = begin + p.u1*length;
-            return;
-        }
-    }
+    b.x = piece_.drawPlace(key.seed, key.stream, before + 1, hint);
 }
 
 
@@ -192,7 +158,7 @@ impact::wallDeparture impact::nonSphericalRebound::depart
     if (wall && !wall->isFlat())
     {
         const double speed = mag(V);
-        static const double minSine = std::sin(minIncidence*pi/180);
+        static const double minSine = std::sin(minIncidence*M_PI/180);
         if (-V.y < minSine*speed)
         {
             const double along = std::hypot(V.x, V.z);
@@ -210,16 +176,10 @@ impact::wallDeparture impact::nonSphericalRebound::depart
     const vector3 spin =
         (1/scale)*vector3{turn*omega.x, omega.y, turn*omega.z};
 
-    const keyedUnits o(key, 0, drawPurpose::orientation);
+    const threeUnits o = threeUnits::drawn
+        (key.seed, 0, drawPurpose::orientation, key.stream);
     rotationState& r = b.rotation;
-    if (encounter_.orientation == orientationLaw::isotropic)
-    {
-        orient<orientationLaw::isotropic>(o.u0, o.u1, o.u2, r.ex, r.ey);
-    }
-    else
-    {
-        orient<orientationLaw::uniformEuler>(o.u0, o.u1, o.u2, r.ex, r.ey);
-    }
+    orient(encounter_.orientation, o.u0, o.u1, o.u2, r.ex, r.ey);
     r.omega = spin.x*r.ex + spin.y*r.ey + spin.z*r.ez();
     const vector3& J = body.inertia();
     const double turning = 0.5*dot(multiply(J, r.omega), r.omega);
@@ -236,10 +196,11 @@ impact::wallDeparture impact::nonSphericalRebound::depart
     }
     else if (wall)
     {
-        const keyedUnits p(key, 0, drawPurpose::position);
+        const double u = threeUnits::drawn
+            (key.seed, 0, drawPurpose::position, key.stream).u0;
         b.y = scaled_.top() + body.radius();
-        b.x = p.u0*scaled_.period();
-        hint = std::int64_t(p.u0*double(scaled_.table().size()));
+        b.x = u*scaled_.period();
+        hint = std::int64_t(u*double(scaled_.table().size()));
     }
     else
     {

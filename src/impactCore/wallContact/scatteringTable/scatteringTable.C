@@ -16,8 +16,7 @@ namespace
 
 using namespace impact;
 
-constexpr double pi = 3.14159265358979323846;
-constexpr double degrees = 180/pi;
+constexpr double degrees = 180/M_PI;
 
 
 template<class... Parts>
@@ -34,12 +33,6 @@ template<class... Parts>
 [[noreturn]] void refuse(const Parts&... parts)
 {
     impact::throwInvalid(text(parts...));
-}
-
-
-double equivalentDiameter(const convexBody& body)
-{
-    return std::cbrt(6*body.volume()/pi);
 }
 
 
@@ -120,7 +113,7 @@ std::vector<std::string> impact::scatteringTable::describe
 {
     std::vector<std::string> lines;
     const convexBody& body = s.body;
-    const double d = equivalentDiameter(body);
+    const double d = body.equivalentDiameter();
 
     // Proportions by what tells bodies apart: extent, inertia, vertices
     const vector3& a = body.semiAxes();
@@ -253,7 +246,7 @@ impact::scatteringTable::scatteringTable
     speeds_(speeds),
     nRows_(nRows),
     radius_(setup.body.radius()),
-    diameter_(equivalentDiameter(setup.body))
+    diameter_(setup.body.equivalentDiameter())
 {
     checkRange("rows of a table", nRows, "[1, inf)");
     if (setup.law.dependsOnSpeed() && speeds.empty())
@@ -382,14 +375,9 @@ impact::wallDeparture impact::scatteringTable::depart
     outside = incidence < incidences_[0] || incidence > incidences_.back();
     const neighbours angle(incidences_, incidence);
 
-    std::uint64_t w0, w1, w2, w3;
-    philoxLane
-    (
-        key.seed, 0, drawPurpose::tableRow, key.stream, w0, w1, w2, w3
-    );
-    double u, choice, choiceOfSpeed;
-    threeUnits(w0, w1, w2, w3, u, choice, choiceOfSpeed);
-    const double place = u*nRows_ - 0.5;
+    const threeUnits u =
+        threeUnits::drawn(key.seed, 0, drawPurpose::tableRow, key.stream);
+    const double place = u.u0*nRows_ - 0.5;
     const int first = std::max(0, int(std::floor(place)));
     const int second = std::min(first + 1, nRows_ - 1);
     const double f = std::max(0., place - first);
@@ -413,14 +401,14 @@ impact::wallDeparture impact::scatteringTable::depart
         held = speed < speeds_[0] || speed > speeds_.back();
         const neighbours s(logSpeeds_, std::log(std::max(speed, 1e-300)));
         alpha = (1 - s.share)*alphaAt(s.low) + s.share*alphaAt(s.high);
-        chosen = choiceOfSpeed < s.share ? s.high : s.low;
+        chosen = u.u2 < s.share ? s.high : s.low;
     }
     const int nearest = f < 0.5 ? first : second;
     const row& r =
-        rows(choice < angle.share ? angle.high : angle.low, chosen)[nearest];
+        rows(u.u1 < angle.share ? angle.high : angle.low, chosen)[nearest];
 
     // That of a single number along the wall would lead into it
-    alpha = std::min(alpha, pi);
+    alpha = std::min(alpha, M_PI);
 
     // A table looks along the motion of its particles
     const double forward = V.x < 0 ? -1 : 1;
