@@ -13,12 +13,19 @@
 
 impact::hendersonDrag::hendersonDrag(double gamma, double TpOverT)
 :
-    dragLawOf<hendersonDrag>(TpOverT),
-    sqrtHalfGamma_(std::sqrt(0.5*compressibleRange::checkedGamma(gamma)))
-{}
+    dragLawOf<hendersonDrag>(TpOverT)
+{
+    setGamma(compressibleRange::checkedGamma(gamma));
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void impact::hendersonDrag::setGamma(double gamma)
+{
+    sqrtHalfGamma_ = std::sqrt(0.5*gamma);
+}
+
 
 double impact::hendersonDrag::of(double Re, double K, double ratio) const
 {
@@ -44,14 +51,6 @@ double impact::hendersonDrag::of(double Re, double K, double ratio) const
     return
         (1 - w)*hendersonFormulas::subsonic(Re, 1/Re, 1, TpOverT, s)
       + w*hendersonFormulas::supersonic(Re, 1.75/Re, 1.75, TpOverT, s);
-}
-
-
-impact::hendersonDrag impact::hendersonDrag::in(double gamma) const
-{
-    hendersonDrag law(*this);
-    law.sqrtHalfGamma_ = std::sqrt(0.5*gamma);
-    return law;
 }
 
 

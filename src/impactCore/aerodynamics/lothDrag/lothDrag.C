@@ -12,13 +12,6 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void impact::lothDrag::setGamma(double gamma)
-{
-    sqrtHalfGamma_ = std::sqrt(0.5*gamma);
-    KnOverK_ = std::sqrt(M_PI)*sqrtHalfGamma_;
-}
-
-
 double impact::lothDrag::rarefied
 (
     double Re,
@@ -95,17 +88,16 @@ impact::lothDrag::lothDrag(const coefficients& c)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void impact::lothDrag::setGamma(double gamma)
+{
+    sqrtHalfGamma_ = std::sqrt(0.5*gamma);
+    KnOverK_ = std::sqrt(M_PI)*sqrtHalfGamma_;
+}
+
+
 double impact::lothDrag::of(double Re, double K, double TpOverT) const
 {
     // All terms are at their limits long before
     const double M = std::min(K*Re, compressibleRange::highestMach);
     return Re <= 45 ? rarefied(Re, K, M, TpOverT) : compressed(Re, M);
-}
-
-
-impact::lothDrag impact::lothDrag::in(double gamma) const
-{
-    lothDrag law(*this);
-    law.setGamma(gamma);
-    return law;
 }

@@ -21,20 +21,6 @@ namespace
     constexpr double highestGamma = 2;
 }
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void impact::singhDrag::setGamma(double gamma)
-{
-    const double g1 = gamma - 1;
-    gamma_ = gamma;
-    sqrtHalfGamma_ = std::sqrt(0.5*gamma);
-    KnOverK_ = std::sqrt(M_PI)*sqrtHalfGamma_;
-    thetaExponent_ = gamma/g1;
-    ReExponent_ = 0.5*(gamma + 1)/gamma - g1*omega_/gamma;
-    C_ = 0.9 - A0*std::pow(1 + 0.25*g1*g1/gamma, thetaExponent_);
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 impact::singhDrag::singhDrag(const coefficients& c)
@@ -48,6 +34,18 @@ impact::singhDrag::singhDrag(const coefficients& c)
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void impact::singhDrag::setGamma(double gamma)
+{
+    const double g1 = gamma - 1;
+    gamma_ = gamma;
+    sqrtHalfGamma_ = std::sqrt(0.5*gamma);
+    KnOverK_ = std::sqrt(M_PI)*sqrtHalfGamma_;
+    thetaExponent_ = gamma/g1;
+    ReExponent_ = 0.5*(gamma + 1)/gamma - g1*omega_/gamma;
+    C_ = 0.9 - A0*std::pow(1 + 0.25*g1*g1/gamma, thetaExponent_);
+}
+
 
 double impact::singhDrag::of(double Re, double K0, double TpOverT) const
 {
@@ -90,12 +88,4 @@ double impact::singhDrag::of(double Re, double K0, double TpOverT) const
         freeMolecularSphere::sCd(sqrtHalfGamma_*M, TpOverT)/sqrtHalfGamma_;
 
     return (continuum*f + MCfm*BOverK*B08)/(1 + B*B08);
-}
-
-
-impact::singhDrag impact::singhDrag::in(double gamma) const
-{
-    singhDrag law(*this);
-    law.setGamma(gamma);
-    return law;
 }
