@@ -26,21 +26,9 @@ impact::dragLaw::coefficients complete
     impact::dragLaw::coefficients c
 )
 {
-    using impact::throwOutOfRange;
-
     for (const auto& given : c.numbers)
     {
-        bool known = false;
-        std::string names;
-        for (const auto& n : law.numbers)
-        {
-            known = known || given.first == n.name;
-            names += (names.empty() ? "" : " ") + std::string(n.name);
-        }
-        if (!known)
-        {
-            throwOutOfRange(given.first, given.second, '(' + names + ')');
-        }
+        impact::named(law.numbers, given.first, given.first, given.second);
     }
     for (const auto& n : law.numbers)
     {
@@ -48,23 +36,15 @@ impact::dragLaw::coefficients complete
         {
             if (!n.as && n.deflt < 0)
             {
-                throwOutOfRange(n.name, "missing", n.range);
+                impact::throwOutOfRange(n.name, "missing", n.range);
             }
             c.numbers[n.name] = n.as ? c.numbers.at(n.as) : n.deflt;
         }
         impact::checkRange(n.name, c.numbers[n.name], n.range);
     }
-
-    std::string forms;
-    bool known = c.form.empty();
-    for (const char* form : law.forms)
+    if (!c.form.empty())
     {
-        known = known || c.form == form;
-        forms += (forms.empty() ? "" : " ") + std::string(form);
-    }
-    if (!known)
-    {
-        throwOutOfRange("form", c.form, '(' + forms + ')');
+        impact::named(law.forms, c.form, "form", c.form);
     }
     return c;
 }
@@ -125,16 +105,7 @@ const std::vector<impact::dragLaw::kind>& impact::dragLaw::kinds()
 
 const impact::dragLaw::kind& impact::dragLaw::find(const std::string& name)
 {
-    std::string names;
-    for (const kind& k : kinds())
-    {
-        if (name == k.name)
-        {
-            return k;
-        }
-        names += (names.empty() ? "" : " ") + std::string(k.name);
-    }
-    throwOutOfRange("drag law", name, '(' + names + ')');
+    return named(kinds(), name, "drag law", name);
 }
 
 

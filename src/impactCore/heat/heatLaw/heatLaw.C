@@ -258,9 +258,10 @@ void check(const impact::heatLaw::coefficients& c)
     {
         impact::checkRange("recoveryFactor", c.recoveryFactor, "[0, 2]");
     }
-    if (!c.form.empty() && c.form != "ranzMarshall" && c.form != "original")
+    if (!c.form.empty())
     {
-        impact::throwOutOfRange("form", c.form, "(ranzMarshall original)");
+        const char* const forms[] = {"ranzMarshall", "original"};
+        impact::named(forms, c.form, "form", c.form);
     }
 }
 
@@ -289,14 +290,5 @@ std::unique_ptr<impact::heatLaw> impact::heatLaw::New
 )
 {
     check(c);
-    std::string names;
-    for (const kind& k : kinds)
-    {
-        if (name == k.name)
-        {
-            return k.make(c);
-        }
-        names += (names.empty() ? "" : " ") + std::string(k.name);
-    }
-    throwOutOfRange("heat law", name, '(' + names + ')');
+    return named(kinds, name, "heat law", name).make(c);
 }

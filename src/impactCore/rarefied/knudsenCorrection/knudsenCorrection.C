@@ -10,31 +10,6 @@
 #include <algorithm>
 #include <cmath>
 
-namespace
-{
-
-void checkName
-(
-    const char* entry,
-    const std::string& name,
-    const std::vector<std::string>& valid
-)
-{
-    if (std::find(valid.begin(), valid.end(), name) != valid.end())
-    {
-        return;
-    }
-    std::string all;
-    for (const std::string& other : valid)
-    {
-        all += (all.empty() ? "" : " ") + other;
-    }
-    impact::throwOutOfRange(entry, name, '(' + all + ')');
-}
-
-} // End anonymous namespace
-
-
 std::vector<std::string> impact::knudsenCorrection::dragLaws()
 {
     std::vector<std::string> names;
@@ -72,8 +47,8 @@ impact::knudsenCorrection::knudsenCorrection
 {
     checkRange("Tref", referenceTemperature, "(0, 1e8) K");
     checkRange("densityScale", densityScale, "(0, 1e12]");
-    checkName("drag", drag, dragLaws());
-    checkName("heat", heat, heatLaws());
+    named(dragLaws(), drag, "drag", drag);
+    named(heatLaws(), heat, "heat", heat);
     drag_ = dragLaw::New(drag, dragLaw::coefficients());
     heat_ = heatLaw::New(heat, heatLaw::coefficients());
     freeHeat_ = heatLaw::New("freeMolecular", heatLaw::coefficients());
