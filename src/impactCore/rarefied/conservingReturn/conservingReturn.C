@@ -6,19 +6,6 @@
 
 #include <cmath>
 
-impact::conservingReturn::conservingReturn
-(
-    const std::vector<cellCollisions::species>& gas
-)
-{
-    for (const cellCollisions::species& s : gas)
-    {
-        mass_.push_back(s.mass);
-        rotates_.push_back(s.internalDegreesOfFreedom > 0);
-    }
-}
-
-
 impact::balance impact::conservingReturn::of
 (
     const cellCollisions::molecules& gas
@@ -27,11 +14,10 @@ impact::balance impact::conservingReturn::of
     balance b;
     for (int i = 0; i < gas.n; ++i)
     {
-        const int s = gas.species[i];
-        const vector3 u{gas.u[i], gas.v[i], gas.w[i]};
-        b.momentum = b.momentum + mass_[s]*u;
-        b.energy +=
-            0.5*mass_[s]*dot(u, u) + rotates_[s]*gas.internalEnergy[i];
+        const cellCollisions::species& s = species_[gas.species[i]];
+        const vector3 u = gas.velocity(i);
+        b.momentum = b.momentum + s.mass*u;
+        b.energy += 0.5*s.mass*dot(u, u) + s.internal(gas.internalEnergy[i]);
     }
     return b;
 }
@@ -52,18 +38,17 @@ impact::balance impact::conservingReturn::give
     vector3 momentum{0, 0, 0};
     for (int i = 0; i < gas.n; ++i)
     {
-        const double m = mass_[gas.species[i]];
+        const double m = species_[gas.species[i]].mass;
         mass += m;
-        momentum =
-            momentum + m*vector3{gas.u[i], gas.v[i], gas.w[i]};
+        momentum = momentum + m*gas.velocity(i);
     }
     const vector3 U = (1/mass)*momentum;
     double thermal = 0;
     for (int i = 0; i < gas.n; ++i)
     {
-        const int s = gas.species[i];
-        const vector3 c = vector3{gas.u[i], gas.v[i], gas.w[i]} - U;
-        thermal += 0.5*mass_[s]*dot(c, c) + rotates_[s]*gas.internalEnergy[i];
+        const cellCollisions::species& s = species_[gas.species[i]];
+        const vector3 c = gas.velocity(i) - U;
+        thermal += 0.5*s.mass*dot(c, c) + s.internal(gas.internalEnergy[i]);
     }
 
     for (double part = 1; part >= 1./1024; part *= 0.5)

@@ -111,14 +111,13 @@ void impact::knudsenCorrection::gather
         count_[gas.species[i]] += 1;
         mass += s.mass;
         internal += s.internalDegreesOfFreedom;
-        momentum =
-            momentum + s.mass*vector3{gas.u[i], gas.v[i], gas.w[i]};
+        momentum = momentum + s.mass*gas.velocity(i);
     }
     const vector3 mean = (1/mass)*momentum;
     double square = 0;
     for (int i = 0; i < gas.n; ++i)
     {
-        const vector3 c = vector3{gas.u[i], gas.v[i], gas.w[i]} - mean;
+        const vector3 c = gas.velocity(i) - mean;
         square += species_[gas.species[i]].mass*dot(c, c);
     }
     const double zeta = internal/gas.n;

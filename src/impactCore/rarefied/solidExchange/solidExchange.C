@@ -121,13 +121,13 @@ impact::solidExchange::bound impact::solidExchange::findBound
     vector3 mean{0, 0, 0};
     for (int i = 0; i < gas.n; ++i)
     {
-        mean = mean + vector3{gas.u[i], gas.v[i], gas.w[i]};
+        mean = mean + gas.velocity(i);
     }
     mean = (1./gas.n)*mean;
     double greatest = 0;
     for (int i = 0; i < gas.n; ++i)
     {
-        const vector3 c = vector3{gas.u[i], gas.v[i], gas.w[i]} - mean;
+        const vector3 c = gas.velocity(i) - mean;
         const double square = dot(c, c);
         greatest = square > greatest ? square : greatest;
     }
@@ -243,7 +243,7 @@ void impact::solidExchange::scatter
     for (std::int64_t k = 0; k < nCandidates; ++k)
     {
         const int i = int((std::uint64_t(rnd.bits())*gas.n) >> 32);
-        const vector3 before{gas.u[i], gas.v[i], gas.w[i]};
+        const vector3 before = gas.velocity(i);
         const vector3 relative = before - s.velocity;
         const double c = mag(relative);
         if (!(cMax*rnd.uniform() < c))

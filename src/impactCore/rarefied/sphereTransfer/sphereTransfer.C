@@ -53,6 +53,7 @@ impact::sphereTransfer::sphereTransfer
     double specificHeat
 )
 :
+    species_(gas),
     accommodation_(accommodation),
     specificHeat_(specificHeat),
     gas_{}
@@ -61,10 +62,8 @@ impact::sphereTransfer::sphereTransfer
     checkRange("specificHeat", specificHeat, "(0, 1e100) J/(kg K)");
     for (const cellCollisions::species& s : gas)
     {
-        mass_.push_back(s.mass);
         rootMass_.push_back(std::sqrt(s.mass));
         reflected_.push_back(2 + 0.5*s.internalDegreesOfFreedom);
-        rotates_.push_back(s.internalDegreesOfFreedom > 0);
     }
 }
 
@@ -90,8 +89,8 @@ void impact::sphereTransfer::gather(const cellCollisions::molecules& gas)
     for (int i = 0; i < gas.n; ++i)
     {
         const int s = gas.species[i];
-        energy[i] = rotates_[s]*gas.internalEnergy[i];
-        mass[i] = mass_[s];
+        energy[i] = species_[s].internal(gas.internalEnergy[i]);
+        mass[i] = species_[s].mass;
         rootMass[i] = rootMass_[s];
         reflected[i] = reflected_[s];
     }
