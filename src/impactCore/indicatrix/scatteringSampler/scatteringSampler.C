@@ -129,10 +129,7 @@ impact::scatteringSampler::scatteringSampler(const setup& s)
 {
     checkRange("incidence", s.incidence, "(0, 90] (degrees)");
     checkRange("speed", s.speed, "(0, 1e100) m/s");
-    for (int i = 0; i < 3; ++i)
-    {
-        checkRange("spin", s.spin[i], "(-1e100, 1e100) (rad/s)");
-    }
+    checkRange("spin", s.spin, "(-1e100, 1e100) (rad/s)");
     s.check();
 
     double sine, cosine;

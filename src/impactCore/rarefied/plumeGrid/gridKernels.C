@@ -30,98 +30,38 @@ impactInline bool along
     return (t >= 0) & (t < g.n[d]);
 }
 
-} // End anonymous namespace
-
-
-namespace impact
+//- Number of the cell of a place, or -1
+template<plumeGrid::gridType type>
+impactInline int cellOf(const gridShape& g, double x, double y, double z)
 {
-
-impactKernel void locateAxis
-(
-    int n,
-    const gridShape& shape,
-    const double* __restrict__ x,
-    const double* __restrict__ y,
-    const double* __restrict__ z,
-    int* __restrict__ cell
-)
-{
-    const gridShape g = shape;
-    const double R = g.halfWidth;
-    for (int l = 0; l < n; ++l)
+    std::int64_t i, j, k;
+    if constexpr (type == plumeGrid::gridType::axis)
     {
-        std::int64_t i;
-        const bool in = along(g, 0, x[l], i);
-        const bool near = y[l]*y[l] + z[l]*z[l] < R*R;
-        cell[l] = (in & near) ? int(i) : -1;
+        const bool in = along(g, 0, x, i);
+        const bool near = y*y + z*z < g.halfWidth*g.halfWidth;
+        return (in & near) ? int(i) : -1;
     }
-}
-
-
-impactKernel void locatePlane
-(
-    int n,
-    const gridShape& shape,
-    const double* __restrict__ x,
-    const double* __restrict__ y,
-    const double* __restrict__ z,
-    int* __restrict__ cell
-)
-{
-    const gridShape g = shape;
-    for (int l = 0; l < n; ++l)
+    else if constexpr (type == plumeGrid::gridType::plane)
     {
-        std::int64_t i, j;
-        const bool inX = along(g, 0, x[l], i);
-        const bool inY = along(g, 1, y[l], j);
-        const bool near = std::fabs(z[l] - g.centre[2]) < g.halfWidth;
+        const bool inX = along(g, 0, x, i);
+        const bool inY = along(g, 1, y, j);
+        const bool near = std::fabs(z - g.centre[2]) < g.halfWidth;
         const int c = int(i) + g.n[0]*int(j);
-        cell[l] = (inX & inY & near) ? c : -1;
+        return (inX & inY & near) ? c : -1;
     }
-}
-
-
-impactKernel void locateMeridian
-(
-    int n,
-    const gridShape& shape,
-    const double* __restrict__ x,
-    const double* __restrict__ y,
-    const double* __restrict__ z,
-    int* __restrict__ cell
-)
-{
-    const gridShape g = shape;
-    for (int l = 0; l < n; ++l)
+    else if constexpr (type == plumeGrid::gridType::meridian)
     {
-        std::int64_t i, j;
-        const bool inX = along(g, 0, x[l], i);
-        const double r = std::sqrt(y[l]*y[l] + z[l]*z[l]);
-        const bool inR = along(g, 1, r, j);
+        const bool inX = along(g, 0, x, i);
+        const bool inR = along(g, 1, std::sqrt(y*y + z*z), j);
         const int c = int(i) + g.n[0]*int(j);
-        cell[l] = (inX & inR) ? c : -1;
+        return (inX & inR) ? c : -1;
     }
-}
-
-
-impactKernel void locateSphere
-(
-    int n,
-    const gridShape& shape,
-    const double* __restrict__ x,
-    const double* __restrict__ y,
-    const double* __restrict__ z,
-    int* __restrict__ cell
-)
-{
-    const gridShape g = shape;
-    for (int l = 0; l < n; ++l)
+    else
     {
-        const double a = x[l] - g.centre[0];
-        const double b = y[l] - g.centre[1];
-        const double c = z[l] - g.centre[2];
+        const double a = x - g.centre[0];
+        const double b = y - g.centre[1];
+        const double c = z - g.centre[2];
         const double r2 = b*b + c*c;
-        std::int64_t i, j, k;
         const bool in = along(g, 0, std::sqrt(a*a + r2), i);
 
         // On the last boundary an angle belongs to the last cell
@@ -133,8 +73,46 @@ impactKernel void locateSphere
         const int jj = below ? int(j) : g.n[1] - 1;
         const int kk = before ? int(k) : g.n[2] - 1;
         const int m = int(i) + g.n[0]*(jj + g.n[1]*kk);
-        cell[l] = in ? m : -1;
+        return in ? m : -1;
     }
 }
 
-} // End namespace impact
+
+template<plumeGrid::gridType type>
+impactInline void locateOn
+(
+    int n,
+    const gridShape& shape,
+    const double* __restrict__ x,
+    const double* __restrict__ y,
+    const double* __restrict__ z,
+    int* __restrict__ cell
+)
+{
+    const gridShape g = shape;
+    for (int l = 0; l < n; ++l)
+    {
+        cell[l] = cellOf<type>(g, x[l], y[l], z[l]);
+    }
+}
+
+} // End anonymous namespace
+
+
+impactKernel void impact::locateCells
+(
+    plumeGrid::gridType type,
+    int n,
+    const gridShape& g,
+    const double* x,
+    const double* y,
+    const double* z,
+    int* cell
+)
+{
+    typedef plumeGrid::gridType grid;
+    type == grid::axis ? locateOn<grid::axis>(n, g, x, y, z, cell)
+  : type == grid::plane ? locateOn<grid::plane>(n, g, x, y, z, cell)
+  : type == grid::meridian ? locateOn<grid::meridian>(n, g, x, y, z, cell)
+  : locateOn<grid::sphere>(n, g, x, y, z, cell);
+}

@@ -111,10 +111,7 @@ impact::plumeGrid impact::plumeGrid::sphere
 {
     checkRange("nPolar", nPolar, "[1, 1e4]");
     checkRange("nAzimuth", nAzimuth, "[1, 1e4]");
-    for (int d = 0; d < 3; ++d)
-    {
-        checkRange("centre", centre[d], "(-1e15, 1e15) m");
-    }
+    checkRange("centre", centre, "(-1e15, 1e15) m");
     plumeGrid g
     (
         gridType::sphere, checked(r, "r", true),
@@ -202,11 +199,5 @@ void impact::plumeGrid::locate
         s.centre[d] = centre_[d];
     }
     s.halfWidth = halfWidth_;
-    switch (type_)
-    {
-        case gridType::axis: locateAxis(n, s, x, y, z, cell); break;
-        case gridType::plane: locatePlane(n, s, x, y, z, cell); break;
-        case gridType::meridian: locateMeridian(n, s, x, y, z, cell); break;
-        case gridType::sphere: locateSphere(n, s, x, y, z, cell); break;
-    }
+    locateCells(type_, n, s, x, y, z, cell);
 }

@@ -86,25 +86,11 @@ impactKernel void emitBeam
 )
 {
     const bool disc = b.exitRadius > 0 || b.deviation > 0;
-    if (b.square > 0)
-    {
-        if (disc)
-        {
-            emit<true, true>(n, d, b, t, l);
-        }
-        else
-        {
-            emit<true, false>(n, d, b, t, l);
-        }
-    }
-    else if (disc)
-    {
-        emit<false, true>(n, d, b, t, l);
-    }
-    else
-    {
-        emit<false, false>(n, d, b, t, l);
-    }
+    const bool gaussian = b.square > 0;
+    gaussian && disc ? emit<true, true>(n, d, b, t, l)
+  : gaussian ? emit<true, false>(n, d, b, t, l)
+  : disc ? emit<false, true>(n, d, b, t, l)
+  : emit<false, false>(n, d, b, t, l);
 }
 
 
@@ -190,24 +176,6 @@ impactKernel void flyStraight
             x[i] +=
                 P + t*(V + 0.5*A*t) + (v[i] + V + A*t)*age[i];
         }
-    }
-}
-
-
-impactKernel void coolLanes
-(
-    int n,
-    const radiativeCooling::cell* __restrict__ table,
-    int branch,
-    double y,
-    double rate,
-    plumeLanes& __restrict__ l
-)
-{
-    for (int i = 0; i < n; ++i)
-    {
-        l.T[i] =
-            radiativeCooling::lookUp(table, branch, y + rate*l.age[i]);
     }
 }
 

@@ -12,31 +12,6 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace
-{
-
-void checkVector
-(
-    const impact::vector3& v,
-    const char* entry,
-    const char* range
-)
-{
-    for (int d = 0; d < 3; ++d)
-    {
-        impact::checkRange(entry, v[d], range);
-    }
-}
-
-} // End anonymous namespace
-
-
-struct impact::plumeSampler::workspace
-{
-    plumeLanes lanes;
-};
-
-
 impact::plumeSampler::plumeSampler(const setup& s)
 :
     setup_(s),
@@ -57,10 +32,10 @@ impact::plumeSampler::plumeSampler(const setup& s)
         "[" + std::to_string(nGroups) + ", 1e13], one at least of each of the "
       + std::to_string(nGroups) + " groups of the source"
     );
-    checkVector(s.position, "position", "(-1e15, 1e15) m");
-    checkVector(s.velocity, "velocity", "(-3e8, 3e8) m/s");
-    checkVector(s.acceleration, "acceleration", "(-1e6, 1e6) m/s2");
-    checkVector(s.gravityCentre, "centre", "(-1e15, 1e15) m");
+    checkRange("position", s.position, "(-1e15, 1e15) m");
+    checkRange("velocity", s.velocity, "(-3e8, 3e8) m/s");
+    checkRange("acceleration", s.acceleration, "(-1e6, 1e6) m/s2");
+    checkRange("centre", s.gravityCentre, "(-1e15, 1e15) m");
     if (s.motion == nozzleMotion::orbit && !s.gravity)
     {
         throw std::invalid_argument
@@ -149,24 +124,10 @@ void impact::plumeSampler::makeRecords()
     const plumeSource& source = *setup_.source;
     for (const plumeSource::record& r : source.records())
     {
-        const radiativeCooling::state start =
-            setup_.cooling->start(r.temperature);
-        readyRecord ready = {};
-        for (int d = 0; d < 3; ++d)
-        {
-            ready.x[d] = r.position[d];
-            ready.v[d] = r.velocity[d];
-        }
-        ready.y = start.y;
-        ready.branch = start.branch;
-        ready.rate = setup_.cooling->rate(r.diameter);
-        ready.T = r.temperature;
-        if (setup_.temperature == temperatureMethod::euler)
-        {
-            ready.y = setup_.cooling->eulerHeat(r.diameter);
-            ready.rate = setup_.cooling->eulerLoss(r.diameter);
-        }
-        records_.push_back(ready);
+        records_.push_back
+        ({
+            r.position, r.velocity, thermalOf(r.temperature, r.diameter), 0, 0
+        });
     }
     if (source.isAnalytic())
     {
@@ -295,28 +256,34 @@ void impact::plumeSampler::nozzleAt
 }
 
 
-struct impact::plumeSampler::beamStart
+impact::plumeSampler::thermal impact::plumeSampler::thermalOf
+(
+    double T,
+    double diameter
+) const
 {
-    beamShape shape;
-
-    //- Of the cooling (radiativeCooling::state), its rate [1/s], and the
-    //  temperature [K]; with temperatureMethod::euler heat and loss
-    double y;
-    double rate;
-    double T;
-    int branch;
-};
-
-
-impact::plumeSampler::beamStart impact::plumeSampler::startOf(int group) const
-{
-    const plumeSource& source = *setup_.source;
     const radiativeCooling& cooling = *setup_.cooling;
-    const plumeSource::beam& b = source.beams()[group];
-    beamStart start = {};
-    beamShape& shape = start.shape;
+    const radiativeCooling::state start = cooling.start(T);
+    if (setup_.temperature == temperatureMethod::euler)
+    {
+        return
+        {
+            T, cooling.eulerHeat(diameter), cooling.eulerLoss(diameter),
+            start.branch
+        };
+    }
+    return {T, start.y, cooling.rate(diameter), start.branch};
+}
+
+
+impact::beamShape impact::plumeSampler::shapeOf
+(
+    const plumeSource::beam& b
+) const
+{
+    beamShape shape = {};
     const double angle = b.spread*M_PI/180;
-    shape.exitRadius = source.exitRadius();
+    shape.exitRadius = setup_.source->exitRadius();
     shape.speed = b.speed;
     shape.deviation = b.speedDeviation;
     if (b.distribution == plumeSource::angleLaw::gaussian)
@@ -329,14 +296,7 @@ impact::plumeSampler::beamStart impact::plumeSampler::startOf(int group) const
         const double s = std::sin(0.5*angle);
         shape.cone = 2*s*s;
     }
-    const radiativeCooling::state state = cooling.start(b.temperature);
-    const bool euler = setup_.temperature == temperatureMethod::euler;
-    start.branch = state.branch;
-    start.T = b.temperature;
-    start.y = euler ? cooling.eulerHeat(b.diameter) : state.y;
-    start.rate =
-        euler ? cooling.eulerLoss(b.diameter) : cooling.rate(b.diameter);
-    return start;
+    return shape;
 }
 
 
@@ -365,10 +325,10 @@ void impact::plumeSampler::takeRecords
             l.x[d][i] = r.x[d];
             l.v[d][i] = r.v[d];
         }
-        l.y[i] = r.y;
-        l.rate[i] = r.rate;
-        l.branch[i] = r.branch;
-        l.T[i] = r.T;
+        l.y[i] = r.heat.y;
+        l.rate[i] = r.heat.rate;
+        l.branch[i] = r.heat.branch;
+        l.T[i] = r.heat.T;
     }
     if (source.smoothing() > 0)
     {
@@ -381,49 +341,21 @@ void impact::plumeSampler::takeRecords
 }
 
 
-void impact::plumeSampler::cool
-(
-    int m,
-    const beamStart& start,
-    plumeLanes& l
-) const
+void impact::plumeSampler::cool(int m, plumeLanes& l) const
 {
-    const bool beams = setup_.source->isAnalytic();
     const radiativeCooling& cooling = *setup_.cooling;
     if (setup_.temperature == temperatureMethod::euler)
     {
-        if (beams)
-        {
-            std::fill_n(l.T, m, start.T);
-            std::fill_n(l.y, m, start.y);
-            std::fill_n(l.rate, m, start.rate);
-        }
         stepLanes(m, setup_.deltaT, l);
+        return;
     }
-    else if (beams)
+    coolLanes(m, cooling.table(), l);
+    for (int i = 0; cooling.kinked() && i < m; ++i)
     {
-        coolLanes(m, cooling.table(), start.branch, start.y, start.rate, l);
-    }
-    else
-    {
-        coolLanes(m, cooling.table(), l);
-    }
-    if (cooling.kinked())
-    {
-        for (int i = 0; i < m; ++i)
-        {
-            const radiativeCooling::state s =
-                beams
-              ? radiativeCooling::state
-                {
-                    start.y + start.rate*l.age[i], start.branch
-                }
-              : radiativeCooling::state
-                {
-                    l.y[i] + l.rate[i]*l.age[i], int(l.branch[i])
-                };
-            l.T[i] = cooling.mended(s, l.T[i]);
-        }
+        l.T[i] = cooling.mended
+        (
+            {l.y[i] + l.rate[i]*l.age[i], int(l.branch[i])}, l.T[i]
+        );
     }
 }
 
@@ -448,15 +380,11 @@ void impact::plumeSampler::fly(int m, plumeLanes& l) const
         }
         return;
     }
-    nozzleShape nozzle;
-    for (int d = 0; d < 3; ++d)
+    const nozzleShape nozzle =
     {
-        nozzle.position[d] = setup_.position[d];
-        nozzle.velocity[d] = setup_.velocity[d];
-        nozzle.acceleration[d] = setup_.acceleration[d];
-        nozzle.origin[d] = origin_[d];
-    }
-    nozzle.observed = observed_;
+        setup_.position, setup_.velocity, setup_.acceleration, origin_,
+        observed_
+    };
     flyStraight(m, nozzle, l);
 }
 
@@ -466,14 +394,23 @@ void impact::plumeSampler::sampleBlock
     int group,
     std::int64_t first,
     int n,
-    workspace& w,
+    plumeLanes& l,
     plumeStatistics& result
 ) const
 {
     const emissionTime time = {duration_, observed_};
     const bool beams = setup_.source->isAnalytic();
-    const beamStart start = beams ? startOf(group) : beamStart{};
-    plumeLanes& l = w.lanes;
+    beamShape shape = {};
+    thermal heat = {};
+    if (beams)
+    {
+        const plumeSource::beam& b = setup_.source->beams()[group];
+        shape = shapeOf(b);
+        heat = thermalOf(b.temperature, b.diameter);
+        std::fill_n(l.y, plumeBatch, heat.y);
+        std::fill_n(l.rate, plumeBatch, heat.rate);
+        std::fill_n(l.branch, plumeBatch, heat.branch);
+    }
     for (int from = 0; from < n; from += plumeBatch)
     {
         const int m = std::min(plumeBatch, n - from);
@@ -484,14 +421,15 @@ void impact::plumeSampler::sampleBlock
         };
         if (beams)
         {
-            emitBeam(m, draws, start.shape, time, l);
+            emitBeam(m, draws, shape, time, l);
+            std::fill_n(l.T, m, heat.T);
         }
         else
         {
             emitTimes(m, draws, time, l);
             takeRecords(group, m, draws, l);
         }
-        cool(m, start, l);
+        cool(m, l);
         fly(m, l);
         result.add(group, m, l.x[0], l.x[1], l.x[2], l.T);
     }
@@ -518,8 +456,8 @@ void impact::plumeSampler::sample
         [this] { return emptyStatistics(); },
         [&]
         {
-            std::shared_ptr<workspace> w(new workspace());
-            return [&, w](std::int64_t block, plumeStatistics& own)
+            std::shared_ptr<plumeLanes> lanes(new plumeLanes());
+            return [&, lanes](std::int64_t block, plumeStatistics& own)
             {
                 const int group = int(block/n);
                 const std::int64_t first = (from + block % n)*blockSize;
@@ -527,7 +465,7 @@ void impact::plumeSampler::sample
                     (blockSize, particles(group) - first);
                 if (m > 0)
                 {
-                    sampleBlock(group, first, int(m), *w, own);
+                    sampleBlock(group, first, int(m), *lanes, own);
                     done += m;
                 }
             };
@@ -543,14 +481,13 @@ std::vector<impact::plumeSampler::state> impact::plumeSampler::states
     int n
 ) const
 {
-    workspace w;
+    plumeLanes l;
     std::vector<state> result;
     plumeStatistics unused(emptyStatistics());
     for (int from = 0; from < n && duration_ > 0; from += plumeBatch)
     {
         const int m = std::min(plumeBatch, n - from);
-        sampleBlock(group, first + from, m, w, unused);
-        const plumeLanes& l = w.lanes;
+        sampleBlock(group, first + from, m, l, unused);
         for (int i = 0; i < m; ++i)
         {
             result.push_back
