@@ -44,9 +44,7 @@ erosionLaw erosionLaw::finnie(double p, double psi, double K)
     check("psi", psi);
     check("K", K);
 
-    erosionLaw law;
-    law.kind_ = kind::finnie;
-    law.factor_ = 1/(p*psi*K);
+    erosionLaw law(kind::finnie, 1/(p*psi*K), okaConstants(1));
     law.K_ = K;
     return law;
 }
@@ -64,17 +62,7 @@ erosionLaw erosionLaw::oka(const okaConstants& c)
     check("referenceDiameter", c.referenceDiameter);
     checkRange("k1", c.k1, "(-inf, inf)");
 
-    erosionLaw law;
-    law.kind_ = kind::oka;
-    law.factor_ = c.K*std::pow(c.hardness, c.k1);
-    law.K_ = c.hardness;
-    law.n1_ = c.n1;
-    law.n2_ = c.n2;
-    law.k2_ = c.k2;
-    law.k3_ = c.k3;
-    law.referenceSpeed_ = c.referenceSpeed;
-    law.referenceDiameter_ = c.referenceDiameter;
-    return law;
+    return erosionLaw(kind::oka, c.K*std::pow(c.hardness, c.k1), c);
 }
 
 
@@ -105,10 +93,10 @@ double erosionLaw::volume
     return
         mass*factor_*std::exp
         (
-            n1_*std::log(s)
-          + n2_*std::log1p(K_*std::max(1 - s, 0.0))
-          + k2_*std::log(speed/referenceSpeed_)
-          + k3_*std::log(diameter/referenceDiameter_)
+            oka_.n1*std::log(s)
+          + oka_.n2*std::log1p(oka_.hardness*std::max(1 - s, 0.0))
+          + oka_.k2*std::log(speed/oka_.referenceSpeed)
+          + oka_.k3*std::log(diameter/oka_.referenceDiameter)
         );
 }
 
