@@ -102,7 +102,12 @@ TEST_F(kinematicWallModels, publishWhatTheCoreSays)
     const volScalarField rho(uniform("rho", dimDensity, 1));
     const volScalarField mu(uniform("mu", dimDynamicViscosity, 1e-5));
     basicKinematicCollidingCloud cloud("sand", rho, U, mu, noGravity());
-    const auto law = impact::hardSphereWall::McNamaraFalcon(0.7, 0.3, 0.02);
+    typedef impact::reboundCoefficient form;
+    const impact::hardSphereWall law
+    (
+        form::McNamaraFalcon(form::restitutionQuantity(), 0.7, 0.3),
+        form::constant(form::frictionQuantity(), 0.02)
+    );
     const auto impacts = evolveOnce(cloud);
     ASSERT_EQ(impacts.size(), nToPlate);
     for (const wallImpact& i : impacts)

@@ -20,6 +20,28 @@ using namespace impact;
 namespace
 {
 
+typedef reboundCoefficient form;
+
+hardSphereWall constantWall(double restitution, double friction)
+{
+    return hardSphereWall
+    (
+        form::constant(form::restitutionQuantity(), restitution),
+        form::constant(form::frictionQuantity(), friction)
+    );
+}
+
+
+hardSphereWall wallOfSpeed(double restitution, double speed, double friction)
+{
+    return hardSphereWall
+    (
+        form::McNamaraFalcon(form::restitutionQuantity(), restitution, speed),
+        form::constant(form::frictionQuantity(), friction)
+    );
+}
+
+
 vector3 randomUnit(counterRandom& rnd)
 {
     const vector3 v = {rnd.normal(), rnd.normal(), rnd.normal()};
@@ -79,7 +101,7 @@ TEST(hardSphereWall, keepsItsLawsForAnyNormal)
         const double f = rnd.uniform();
         const double r = std::pow(10, -7 + 5*rnd.uniform());
         const vector3 n = randomUnit(rnd);
-        const auto law = hardSphereWall::constant(e, f);
+        const auto law = constantWall(e, f);
         sphereState s;
         do
         {
@@ -139,7 +161,7 @@ TEST(hardSphereWall, equalsTheFormulaeOfTheSource)
         const double wz = 1e6*rnd.normal();
 
         sphereState s = {{vx, vy, vz}, {wx, wy, wz}};
-        hardSphereWall::constant(e, f).rebound({0, 1, 0}, r, s);
+        constantWall(e, f).rebound({0, 1, 0}, r, s);
 
         const double sx = vx + r*wz, sz = vz - r*wx;
         const double slip = std::hypot(sx, sz);
@@ -170,7 +192,7 @@ TEST(hardSphereWall, changesRegimeWhereTheConeEnds)
     // Sliding below tan(angle) = 2/(7 f (1 + e)), sticking above
     const double e = 0.7, f = 0.2;
     const double limit = 2/(7*f*(1 + e));
-    const auto law = hardSphereWall::constant(e, f);
+    const auto law = constantWall(e, f);
     sphereState low = {{1, -limit*(1 - 1e-9), 0}, {0, 0, 0}};
     sphereState high = {{1, -limit*(1 + 1e-9), 0}, {0, 0, 0}};
     EXPECT_TRUE(law.rebound({0, 1, 0}, 1e-5, low).slides);
@@ -182,7 +204,7 @@ TEST(hardSphereWall, changesRegimeWhereTheConeEnds)
 
 TEST(hardSphereWall, restitutionOfMcNamaraAndFalcon)
 {
-    const auto law = hardSphereWall::McNamaraFalcon(0.7, 0.3, 0.2);
+    const auto law = wallOfSpeed(0.7, 0.3, 0.2);
     auto restitution = [&](double v, double along)
     {
         sphereState s = {{along, -v, 0}, {0, 0, 0}};
@@ -252,7 +274,7 @@ TEST(hardSphereWall, takesItsCoefficientsAtTheContact)
         const double f = 0.4 - 0.2*held*M_PI/180;
 
         sphereState wanted = before;
-        hardSphereWall::constant(e, f).rebound(n, r, wanted);
+        constantWall(e, f).rebound(n, r, wanted);
         const auto out = law.rebound(n, r, s);
         const double scale = mag(before.V) + r*mag(before.omega);
         EXPECT_LT(mag(s.V - wanted.V), 1e-12*scale);
@@ -278,7 +300,7 @@ TEST(hardSphereWall, survivesExtremes)
     {
         for (const double f : {0., 0.2, 1e6})
         {
-            const auto law = hardSphereWall::constant(e, f);
+            const auto law = constantWall(e, f);
 
             // No slip at all: the sphere rolls in
             const double r = 0x1p-17;
@@ -312,7 +334,7 @@ TEST(hardSphereWall, survivesExtremes)
             EXPECT_TRUE(finite(tiny));
         }
     }
-    const auto fast = hardSphereWall::McNamaraFalcon(0, 1e-9, 0.2);
+    const auto fast = wallOfSpeed(0, 1e-9, 0.2);
     sphereState s = {{1, 0, -1e-300}, {0, 0, 0}};
     fast.rebound(n, 1e-6, s);
     EXPECT_TRUE(finite(s));
@@ -321,13 +343,12 @@ TEST(hardSphereWall, survivesExtremes)
 
 TEST(hardSphereWall, refusesBadValues)
 {
-    typedef hardSphereWall law;
-    auto text = refusal([] { law::constant(1.1, 0.2); });
+    auto text = refusal([] { constantWall(1.1, 0.2); });
     EXPECT_NE(text.find("restitution 1.1"), std::string::npos) << text;
     EXPECT_NE(text.find("[0, 1]"), std::string::npos) << text;
-    text = refusal([] { law::constant(0.5, -0.1); });
+    text = refusal([] { constantWall(0.5, -0.1); });
     EXPECT_NE(text.find("friction -0.1"), std::string::npos) << text;
-    text = refusal([] { law::McNamaraFalcon(0.5, 0, 0.1); });
+    text = refusal([] { wallOfSpeed(0.5, 0, 0.1); });
     EXPECT_NE(text.find("restitutionSpeed 0"), std::string::npos) << text;
-    EXPECT_THROW(law::constant(-1e-9, 0.2), std::invalid_argument);
+    EXPECT_THROW(constantWall(-1e-9, 0.2), std::invalid_argument);
 }

@@ -147,7 +147,7 @@ TEST(semiEmpiricalRebound, equalsTheStickingHardSphere)
         sphereState first = f.s, second = f.s, hard = f.s;
         make(e, 5./7, 90).rebound(f.n, f.r, first);
         make(e, 5./7, 0).rebound(f.n, f.r, second);
-        hardSphereWall::constant(e, 1e6).rebound(f.n, f.r, hard);
+        hardSphereWall::strike(f.n, f.r, e, 1e6, hard);
         EXPECT_LT(mag(first.V - hard.V), 1e-12*scale);
         EXPECT_LT(mag(second.V - hard.V), 1e-12*scale);
         EXPECT_LT(f.r*mag(first.omega - hard.omega), 1e-12*scale);
