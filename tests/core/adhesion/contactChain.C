@@ -50,7 +50,9 @@ struct plainChain
         double speed
     )
     {
-        const double r = c.contactRadius(overlap);
+        const jkrContact::units unit = c.scales(0);
+        const double u = unit.curve.uOf(overlap/unit.length);
+        const double r = unit.radius*u*u;
         return c.at(r).force
           + a*std::sqrt(c.mass()*4./3*c.modulus()*r)*speed;
     }

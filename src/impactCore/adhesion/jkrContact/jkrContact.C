@@ -160,14 +160,6 @@ impact::contactState impact::jkrContact::lastTouch() const
 }
 
 
-double impact::jkrContact::contactRadius(double overlap) const
-{
-    const units scale = scales(0);
-    const double u = scale.curve.uOf(overlap/scale.length);
-    return scale.radius*u*u;
-}
-
-
 impact::jkrContact::units impact::jkrContact::scales(double speed) const
 {
     const double hertz = std::pow

@@ -45,14 +45,6 @@ namespace
 }
 
 
-double impact::sphereReflection::density(law form, double x)
-{
-    return
-        form == law::polynomial ? polynomial(x)
-      : 4/(3*M_PI)*std::sin(x)*(std::sin(x) + (M_PI - x)*std::cos(x));
-}
-
-
 impact::vector3 impact::sphereReflection::diffuse
 (
     law form,

@@ -22,13 +22,7 @@ std::uint64_t identitySet::key(std::int32_t processor, std::int64_t number)
 }
 
 
-identitySet::identitySet()
-{}
-
-
 identitySet::identitySet(const std::vector<std::uint64_t>& words)
-:
-    identitySet()
 {
     if (words.size() % (pageWords_ + 1) != 0)
     {
@@ -77,15 +71,6 @@ bool identitySet::contains(std::int32_t processor, std::int64_t number) const
     }
     const std::size_t bit = number & (pageBits_ - 1);
     return p->second[bit/64] >> (bit % 64) & 1;
-}
-
-
-std::size_t identitySet::bytes() const
-{
-    // Page, its key, the list node and the bucket
-    return
-        pages_.size()
-       *(sizeof(page) + sizeof(std::uint64_t) + 2*sizeof(void*));
 }
 
 
