@@ -303,7 +303,7 @@ void impact::sweptGrid::laterRuns
 }
 
 
-void impact::sweptGrid::unlink(std::int32_t i)
+void impact::sweptGrid::remove(std::int32_t i)
 {
     const std::int32_t at = where_[i];
     if (at >= 0)
@@ -325,7 +325,7 @@ void impact::sweptGrid::unlink(std::int32_t i)
 
 void impact::sweptGrid::move(std::int32_t i, const sweptBox& box)
 {
-    unlink(i);
+    remove(i);
     const double extent = box.extent();
     if (!std::isfinite(extent))
     {
@@ -349,10 +349,4 @@ void impact::sweptGrid::add(const sweptBox& box)
     where_.push_back(-1);
     nextMoved_.push_back(-1);
     move(std::int32_t(boxes_.size()) - 1, box);
-}
-
-
-void impact::sweptGrid::remove(std::int32_t i)
-{
-    unlink(i);
 }
