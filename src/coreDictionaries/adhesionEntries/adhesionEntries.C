@@ -351,7 +351,7 @@ impact::dissipationLaw Foam::adhesionEntries::law
                     "(low high), 0 <= low < high <= 1"
                 );
             }
-            const form polynomial = form::polynomial
+            const form polynomial
             (
                 std::vector<double>(coeffs.begin(), coeffs.end()),
                 range[0],

@@ -60,7 +60,7 @@ TEST(dissipationLaw, fitRecoversAPolynomial)
 {
     // Impacts made with a known law
     const dissipationLaw known =
-        dissipationLaw::polynomial({0.9, -0.4, -0.35});
+        dissipationLaw({0.9, -0.4, -0.35});
     std::vector<dissipationLaw::measurement> data;
     for (double e : {0.05, 0.1, 0.2, 0.25, 0.28, 0.3})
     {
@@ -95,7 +95,7 @@ TEST(dissipationLaw, fitRecoversAPolynomial)
 TEST(dissipationLaw, reboundInvertsTheSpeed)
 {
     const dissipationLaw law =
-        dissipationLaw::polynomial({0.5, 0.2, -0.1}, 0, 0.5);
+        dissipationLaw({0.5, 0.2, -0.1}, 0, 0.5);
     EXPECT_TRUE(law.ambiguous().empty());
     for (double e : {0.01, 0.1, 0.3})
     {
@@ -117,7 +117,7 @@ TEST(dissipationLaw, reboundInvertsTheSpeed)
 TEST(dissipationLaw, findsTheSpeedsOfSeveralRestitutions)
 {
     // alpha falls with e: V(e) goes down from capture before it rises
-    const dissipationLaw law = dissipationLaw::polynomial({1.2, -1.0, -0.2});
+    const dissipationLaw law = dissipationLaw({1.2, -1.0, -0.2});
     const auto found = law.ambiguous();
     ASSERT_EQ(found.size(), 1u);
     EXPECT_NEAR(found[0].high, law.speed(0), 1e-9*law.speed(0));
@@ -145,11 +145,11 @@ TEST(dissipationLaw, findsTheSpeedsOfSeveralRestitutions)
 TEST(dissipationLaw, refusesWhatIsOutOfRange)
 {
     typedef dissipationLaw law;
-    EXPECT_THROW(law::polynomial({}), std::invalid_argument);
-    EXPECT_THROW(law::polynomial({0.5, -1}), std::invalid_argument);
-    EXPECT_THROW(law::polynomial({11}), std::invalid_argument);
-    EXPECT_THROW(law::polynomial({1}, 0.5, 0.4), std::invalid_argument);
-    EXPECT_THROW(law::polynomial({1}, -0.1, 0.4), std::invalid_argument);
+    EXPECT_THROW(law({}), std::invalid_argument);
+    EXPECT_THROW(law({0.5, -1}), std::invalid_argument);
+    EXPECT_THROW(law({11}), std::invalid_argument);
+    EXPECT_THROW(law({1}, 0.5, 0.4), std::invalid_argument);
+    EXPECT_THROW(law({1}, -0.1, 0.4), std::invalid_argument);
     EXPECT_THROW(law::constant(-1), std::invalid_argument);
     EXPECT_THROW(law::marshall().alpha(1.01), std::invalid_argument);
 

@@ -36,7 +36,7 @@ TEST(lawCurve, isTheLargestSolution)
     for (const auto& coeffs : {std::vector<double>{0.9, -0.4, -0.35},
         std::vector<double>{1.2, -1, -0.2}, std::vector<double>{0.3, 0.4}})
     {
-        const auto law = dissipationLaw::polynomial(coeffs);
+        const auto law = dissipationLaw(coeffs);
         const lawCurve curve(law);
         int rebounds = 0;
         for (double q = 1.3; q < 1e4; q *= 1.37)
@@ -63,7 +63,7 @@ TEST(lawCurve, isTheLargestSolution)
 
 TEST(lawCurve, endsWhereItsDataEnd)
 {
-    const auto law = dissipationLaw::polynomial({0.5, -0.2}, 0, 0.4);
+    const auto law = dissipationLaw({0.5, -0.2}, 0, 0.4);
     const lawCurve strict(law);
     const double end = strict.highSpeed();
     EXPECT_NEAR(end, law.speed(0.4), 1e-4*end);
@@ -97,8 +97,8 @@ TEST(lawCurve, refusesWhatGivesNoCapture)
     typedef dissipationLaw law;
     EXPECT_THROW
     (
-        lawCurve(law::polynomial({0.5, -0.2}, 0.1, 0.9)),
+        lawCurve(law({0.5, -0.2}, 0.1, 0.9)),
         std::invalid_argument
     );
-    EXPECT_THROW(lawCurve(law::polynomial({2, -1})), std::invalid_argument);
+    EXPECT_THROW(lawCurve(law({2, -1})), std::invalid_argument);
 }

@@ -84,18 +84,6 @@ impact::dissipationLaw impact::dissipationLaw::constant
 }
 
 
-impact::dissipationLaw impact::dissipationLaw::polynomial
-(
-    const std::vector<double>& coeffs,
-    double low,
-    double high,
-    unloadingType unloading
-)
-{
-    return dissipationLaw(coeffs, low, high, unloading);
-}
-
-
 impact::dissipationLaw impact::dissipationLaw::marshall
 (
     unloadingType unloading

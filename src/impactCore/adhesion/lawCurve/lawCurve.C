@@ -45,21 +45,16 @@ double threshold(const Condition& holds, double low, double high)
 
 double impact::lawCurve::excess(double e, double q) const
 {
-    double alpha = 0;
-    for (auto c = coeffs_.rbegin(); c != coeffs_.rend(); ++c)
-    {
-        alpha = alpha*e + *c;
-    }
-    return table_->rebound(alpha, q).restitution - e;
+    return table_->rebound(law_.value(e), q).restitution - e;
 }
 
 
 double impact::lawCurve::search(double q) const
 {
-    double above = high_;
+    double above = law_.high();
     for (int i = nScan - 1; i >= 0; --i)
     {
-        const double e = high_*i/nScan;
+        const double e = law_.high()*i/nScan;
         if (excess(e, q) > 0)
         {
             return bracketedRoot
@@ -98,7 +93,7 @@ double impact::lawCurve::solve(double q) const
     }
 
     double low = std::fmax(nodes_[i] - 1e-9, 0.);
-    double high = std::fmin(nodes_[i + 1] + 1e-9, high_);
+    double high = std::fmin(nodes_[i + 1] + 1e-9, law_.high());
     double fLow = excess(low, q), fHigh = excess(high, q);
     if (!(fLow >= 0 && fHigh <= 0 && fLow > fHigh))
     {
@@ -120,7 +115,7 @@ void impact::lawCurve::refuse(double q) const
 {
     std::ostringstream range;
     range<< "(0, " << highSpeed_ << "], where alpha(e) holds up to e = "
-        << high_;
+        << law_.high();
     throwOutOfRange("speed over v_st", q, range.str());
 }
 
@@ -132,13 +127,12 @@ impact::lawCurve::lawCurve
     bool hold
 )
 :
-    coeffs_(law.coeffs()),
-    high_(law.high()),
+    law_(law),
     highSpeed_(infinity)
 {
     if (law.isConstant())
     {
-        constant_.emplace(coeffs_[0], unloading);
+        constant_.emplace(law_.coeffs()[0], unloading);
         captureRatio_ = constant_->captureRatio();
         highSpeed_ = captureRatio_;
         return;
@@ -155,23 +149,24 @@ impact::lawCurve::lawCurve
     }
     for (int i = 0; i <= nScan; ++i)
     {
-        const double alpha = law.alpha(std::min(high_*i/nScan, high_));
+        const double alpha =
+            law.alpha(std::min(law.high()*i/nScan, law.high()));
         checkRange("alpha(e) of a wall", alpha, 0, restitutionTable::maxAlpha);
     }
     table_ = &restitutionTable::of(unloading);
 
-    const double start = table_->captureRatio(coeffs_[0]);
-    if (high_ < 1 && excess(high_, 1e9*start) >= 0)
+    const double start = table_->captureRatio(law_.coeffs()[0]);
+    if (law_.high() < 1 && excess(law_.high(), 1e9*start) >= 0)
     {
         highSpeed_ = threshold
         (
-            [&](double q) { return excess(high_, q) >= 0; },
+            [&](double q) { return excess(law_.high(), q) >= 0; },
             1e-3,
             1e9*start
         );
         if (hold)
         {
-            constant_.emplace(law.alpha(high_), unloading);
+            constant_.emplace(law.alpha(law_.high()), unloading);
         }
     }
     captureRatio_ = std::min
@@ -193,6 +188,6 @@ impact::lawCurve::lawCurve
         const double x = double(i)/nNodes;
         const double q =
             captureRatio_*std::pow(1 - x*x, -5)*(i ? 1 : 1 + 1e-14);
-        nodes_[i] = q < highSpeed_ ? search(q) : high_;
+        nodes_[i] = q < highSpeed_ ? search(q) : law_.high();
     }
 }
