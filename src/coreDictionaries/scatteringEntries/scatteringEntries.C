@@ -190,13 +190,15 @@ impact::reboundLaw readLaw(const dictionary& dict)
     typedef reboundEntries entries;
     typedef impact::reboundCoefficient form;
     return type == "restitution"
-      ? law::restitution
+      ? law
         (
+            law::lawType::restitution,
             entries::coefficient(dict, law::normalQuantity(), 0.8),
             entries::coefficient(dict, law::tangentialQuantity(), 0)
         )
-      : law::coulomb
+      : law
         (
+            law::lawType::friction,
             entries::coefficient(dict, form::restitutionQuantity(), 0.8),
             entries::coefficient(dict, form::frictionQuantity(), 0.3)
         );

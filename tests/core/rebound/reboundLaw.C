@@ -125,13 +125,15 @@ TEST(reboundLaw, takesItsCoefficientsAtTheContact)
     // As a law of constants that are worked out by hand, at the velocity of
     // the contact point
     typedef reboundCoefficient form;
-    const reboundLaw fitted = reboundLaw::restitution
+    const reboundLaw fitted = reboundLaw
     (
+        reboundLaw::lawType::restitution,
         form::fit(reboundLaw::normalQuantity(), "GrantTabakoff"),
         form::fit(reboundLaw::tangentialQuantity(), "GrantTabakoff")
     );
-    const reboundLaw rubbing = reboundLaw::coulomb
+    const reboundLaw rubbing = reboundLaw
     (
+        reboundLaw::lawType::friction,
         form::McNamaraFalcon(form::restitutionQuantity(), 0.6, 20),
         form::table
         (

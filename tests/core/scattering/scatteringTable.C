@@ -296,8 +296,9 @@ struct ofSpeed
     {
         typedef reboundCoefficient form;
         scatteringSampler::setup s = rough();
-        s.law = reboundLaw::coulomb
+        s.law = reboundLaw
         (
+            reboundLaw::lawType::friction,
             form::McNamaraFalcon(form::restitutionQuantity(), 0.9, 1),
             form::polynomial
             (
@@ -616,8 +617,9 @@ TEST(scatteringTable, refusesAnotherWall)
     typedef reboundCoefficient form;
     const auto tangential =
         form::constant(reboundLaw::tangentialQuantity(), 0);
-    s.law = reboundLaw::restitution
+    s.law = reboundLaw
     (
+        reboundLaw::lawType::restitution,
         form::fit(reboundLaw::normalQuantity(), "GrantTabakoff"), tangential
     );
     expect(s, "law restitution polynomial");

@@ -32,10 +32,7 @@ namespace
         impact::counterRandom& rnd
     )
     {
-        const impact::vector3 other = std::fabs(axis.x) < 0.6
-          ? impact::vector3{1, 0, 0} : impact::vector3{0, 1, 0};
-        const impact::vector3 side = cross(axis, other);
-        const impact::vector3 first = (1/mag(side))*side;
+        const impact::vector3 first = across(axis);
         const impact::vector3 second = cross(axis, first);
         double s, c;
         impact::sinCosTurns(rnd.uniform(), s, c);

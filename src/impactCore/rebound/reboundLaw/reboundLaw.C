@@ -55,8 +55,9 @@ impact::reboundLaw impact::reboundLaw::restitution
     double tangential
 )
 {
-    return restitution
+    return reboundLaw
     (
+        lawType::restitution,
         reboundCoefficient::constant(normalQuantity(), normal),
         reboundCoefficient::constant(tangentialQuantity(), tangential)
     );
@@ -70,31 +71,12 @@ impact::reboundLaw impact::reboundLaw::coulomb
 )
 {
     typedef reboundCoefficient form;
-    return coulomb
+    return reboundLaw
     (
+        lawType::friction,
         form::constant(form::restitutionQuantity(), restitution),
         form::constant(form::frictionQuantity(), friction)
     );
-}
-
-
-impact::reboundLaw impact::reboundLaw::restitution
-(
-    const reboundCoefficient& normal,
-    const reboundCoefficient& tangential
-)
-{
-    return reboundLaw(lawType::restitution, normal, tangential);
-}
-
-
-impact::reboundLaw impact::reboundLaw::coulomb
-(
-    const reboundCoefficient& restitution,
-    const reboundCoefficient& friction
-)
-{
-    return reboundLaw(lawType::friction, restitution, friction);
 }
 
 
@@ -108,9 +90,7 @@ impact::vector3 impact::reboundLaw::frictionImpulse
     const vector3& Vc0
 )
 {
-    vector3 t1 = std::fabs(n.x) < 0.6
-        ? cross(n, vector3{1, 0, 0}) : cross(n, vector3{0, 1, 0});
-    t1 = (1/mag(t1))*t1;
+    const vector3 t1 = across(n);
     const vector3 t2 = cross(n, t1);
     const vector3 inverse = {1/inertia.x, 1/inertia.y, 1/inertia.z};
     const vector3 K1 = response(inverse, r, t1);
