@@ -204,6 +204,8 @@ public:
 
 
 struct stream
+:
+    loneHost
 {
     typedef parabolicPath Path;
 

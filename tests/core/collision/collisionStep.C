@@ -8,6 +8,7 @@ Description
 
 #include "collisionStep.H"
 #include "counterRandom.H"
+#include "loneHost.H"
 #include "pairLaw.H"
 #include "planeWalls.H"
 
@@ -34,6 +35,8 @@ struct happening
 //  spheres above a lid are taken away
 template<class PathType>
 struct balls
+:
+    loneHost
 {
     typedef PathType Path;
 
