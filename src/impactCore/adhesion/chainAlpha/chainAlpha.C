@@ -3,9 +3,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "chainAlpha.H"
+#include "gridPlace.H"
 #include "outOfRange.H"
-
-#include <algorithm>
 
 
 impact::chainAlpha::chainAlpha(double value)
@@ -49,18 +48,6 @@ impact::chainAlpha::chainAlpha
 
 double impact::chainAlpha::operator()(double speed) const
 {
-    if (speed <= speeds_.front())
-    {
-        return values_.front();
-    }
-    if (speed >= speeds_.back())
-    {
-        return values_.back();
-    }
-    const std::size_t i =
-        std::upper_bound(speeds_.begin(), speeds_.end(), speed)
-      - speeds_.begin();
-    const double share =
-        (speed - speeds_[i - 1])/(speeds_[i] - speeds_[i - 1]);
-    return (1 - share)*values_[i - 1] + share*values_[i];
+    const gridPlace at(speeds_, speed);
+    return (1 - at.share)*values_[at.low] + at.share*values_[at.high];
 }

@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "reboundCoefficient.H"
+#include "gridPlace.H"
 #include "outOfRange.H"
 
 #include <algorithm>
@@ -57,26 +58,6 @@ void checkGrid
     }
 }
 
-
-//- Interval of a grid and place in it; the ends are held
-int locate(const std::vector<double>& grid, double x, double& share)
-{
-    const int n = int(grid.size());
-    if (n == 1 || x <= grid.front())
-    {
-        share = 0;
-        return 0;
-    }
-    if (x >= grid.back())
-    {
-        share = 1;
-        return n - 2;
-    }
-    const int i =
-        int(std::upper_bound(grid.begin(), grid.end(), x) - grid.begin()) - 1;
-    share = (x - grid[i])/(grid[i + 1] - grid[i]);
-    return i;
-}
 
 } // End anonymous namespace
 
@@ -386,16 +367,13 @@ double impact::reboundCoefficient::evaluate(double angle, double speed) const
         }
         case formType::table:
         {
-            double a, s;
-            const int i = locate(angles_, angle, a);
-            const int j = locate(speeds_, speed, s);
-            const int n = int(speeds_.size());
-            const int right = n > 1 ? 1 : 0;
-            const int up = angles_.size() > 1 ? n : 0;
-            const double* v = &values_[i*n + j];
-            return
-                (1 - a)*((1 - s)*v[0] + s*v[right])
-              + a*((1 - s)*v[up] + s*v[up + right]);
+            const gridPlace a(angles_, angle), s(speeds_, speed);
+            const auto at = [&](int i)
+            {
+                const double* v = &values_[i*speeds_.size()];
+                return (1 - s.share)*v[s.low] + s.share*v[s.high];
+            };
+            return (1 - a.share)*at(a.low) + a.share*at(a.high);
         }
         case formType::polynomial:
         {

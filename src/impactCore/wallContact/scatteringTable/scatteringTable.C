@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "scatteringTable.H"
+#include "gridPlace.H"
 #include "outOfRange.H"
 #include "scatteringSampler.H"
 
@@ -73,34 +74,6 @@ std::string keyOf(const std::string& line)
     return line.substr(0, line.find(' '));
 }
 
-
-//- The two points of a grid around a value, and how far it is from the first
-//  of them to the second; the ends are held
-struct neighbours
-{
-    int low = 0;
-    int high = 0;
-    double share = 0;
-
-    neighbours(const std::vector<double>& grid, double value)
-    {
-        const int last = int(grid.size()) - 1;
-        if (value >= grid[last])
-        {
-            low = last;
-        }
-        else if (value > grid[0])
-        {
-            low = int
-            (
-                std::upper_bound(grid.begin(), grid.end(), value)
-              - grid.begin()
-            ) - 1;
-            share = (value - grid[low])/(grid[low + 1] - grid[low]);
-        }
-        high = std::min(low + 1, last);
-    }
-};
 
 } // End anonymous namespace
 
@@ -373,7 +346,7 @@ impact::wallDeparture impact::scatteringTable::depart
     const double speed = mag(V);
     const double incidence = degrees*std::atan2(-V.y, std::fabs(V.x));
     outside = incidence < incidences_[0] || incidence > incidences_.back();
-    const neighbours angle(incidences_, incidence);
+    const gridPlace angle(incidences_, incidence);
 
     const threeUnits u =
         threeUnits::drawn(key.seed, 0, drawPurpose::tableRow, key.stream);
@@ -399,7 +372,7 @@ impact::wallDeparture impact::scatteringTable::depart
     else
     {
         held = speed < speeds_[0] || speed > speeds_.back();
-        const neighbours s(logSpeeds_, std::log(std::max(speed, 1e-300)));
+        const gridPlace s(logSpeeds_, std::log(std::max(speed, 1e-300)));
         alpha = (1 - s.share)*alphaAt(s.low) + s.share*alphaAt(s.high);
         chosen = u.u2 < s.share ? s.high : s.low;
     }
