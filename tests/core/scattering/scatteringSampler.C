@@ -9,6 +9,7 @@ Description
 #include "scatteringSamplerTest.H"
 
 #include <limits>
+#include <random>
 #include <stdexcept>
 
 using namespace impact;
@@ -26,6 +27,20 @@ __attribute__((noinline)) void spoilStack()
     {
         r = std::numeric_limits<double>::quiet_NaN();
     }
+}
+
+
+//- One of many measured profiles of the same roughness
+std::shared_ptr<const relief> randomProfile(int number)
+{
+    std::mt19937 draw(number);
+    std::vector<double> x, y;
+    for (int i = 0; i < 400; ++i)
+    {
+        x.push_back(40e-6*i);
+        y.push_back(30e-6*(double(draw()) + double(draw()))/0x1p32);
+    }
+    return std::make_shared<const relief>(relief::profile(x, y));
 }
 
 } // End anonymous namespace
@@ -208,19 +223,24 @@ TEST(scatteringSampler, treatsAFlatReliefAsASmoothWall)
 
 TEST(scatteringSampler, claimsTheErrorThatRepeatedRunsShow)
 {
-    for (bool rough : {false, true})
+    for (const std::string wall : {"smooth", "rough", "profile"})
     {
         scatteringSampler::setup s = basic(paperShapes()[3]);
         s.binWidth = 10;
-        if (rough)
+        if (wall == "rough")
         {
             s.wall = paperRelief();
         }
+        s.sharedRelief = wall == "profile";
         const int runs = 60, n = 4096;
         std::vector<double> sum(18), squares(18), claimed(18);
         for (int k = 0; k < runs; ++k)
         {
             s.seed = 1000 + k;
+            if (s.sharedRelief)
+            {
+                s.wall = randomProfile(k);
+            }
             const scatteringStatistics r = run(s, n);
             for (int i = 0; i < 18; ++i)
             {
@@ -246,7 +266,7 @@ TEST(scatteringSampler, claimsTheErrorThatRepeatedRunsShow)
         }
         ratio /= bins;
         EXPECT_GT(bins, 5);
-        EXPECT_NEAR(ratio, 1, 4*std::sqrt(2./(runs*bins)));
+        EXPECT_NEAR(ratio, 1, 4*std::sqrt(2./(runs*bins))) << wall;
     }
 }
 
