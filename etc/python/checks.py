@@ -25,6 +25,12 @@ import sys
 from paperStatements import BY_NAME, STATEMENTS
 
 
+def largest(*values):
+    """As max(), but nan where one of them is, which max() may pass over."""
+    found = [float(v) for v in (values if len(values) > 1 else values[0])]
+    return math.nan if any(map(math.isnan, found)) else max(found)
+
+
 class Checks:
     def __init__(self, tutorial=None):
         self.tutorial = tutorial

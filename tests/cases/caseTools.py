@@ -12,6 +12,7 @@ import tempfile
 import numpy as np
 
 sys.path.append(os.environ["PARCEL_IMPACT_DIR"] + "/etc/python")
+from checks import largest
 from foamFiles import read as read_field, times as times_of
 
 R_GAS = 287.05      # [J/(kg K)], from the molecular weight below

@@ -9,6 +9,7 @@ Description
 
 #include "eventDrivenCollisionsTest.H"
 #include "hardSphereGas.H"
+#include "largest.H"
 
 namespace
 {
@@ -250,10 +251,10 @@ TEST_F(eventDrivenCollisionsTest, eventsAreThoseOfASearchOfAllPairs)
                           + 0.5*p.d()/50
                            *mag(omega - fromCore(exact.s[i].omega));
                     };
-                worst =
-                    max(worst, deviation(p.position(), p.U(), p.omega()));
+                worst = largest
+                    (worst, deviation(p.position(), p.U(), p.omega()));
                 const auto& q = disturbed.s[i];
-                roundOff = max
+                roundOff = largest
                 (
                     roundOff,
                     deviation(fromCore(q.x), fromCore(q.v), fromCore(q.omega))
@@ -326,8 +327,8 @@ TEST_F(eventDrivenCollisionsTest, periodicBoxKeepsAllAndIsTheMeshFreeGas)
         {
             way[k] -= 1e-3*std::round(way[k]/1e-3);
         }
-        worst = max(worst, mag(way)/1e-5);
-        worst = max
+        worst = largest(worst, mag(way)/1e-5);
+        worst = largest
             (worst, mag(parcels[s.identity].U() - fromCore(s.v))/50);
     }
     EXPECT_LT(worst, 1e-7);

@@ -10,6 +10,7 @@ Description
 #include "channelTest.H"
 #include "cellGas.H"
 #include "coreVector.H"
+#include "largest.H"
 #include "volFields.H"
 #include "wallGasInterpolation.H"
 #include "wallPolyPatch.H"
@@ -192,8 +193,8 @@ protected:
                     const double b = (1 - a)*uniform(random);
                     const vector u =
                         velocity(barycentric(0, a, b, 1 - a - b), tet);
-                    maxSpeed =
-                        max(maxSpeed, mag((u & n) - wallSpeed(patch, n)));
+                    maxSpeed = largest
+                        (maxSpeed, mag((u & n) - wallSpeed(patch, n)));
                 }
             }
         );
@@ -258,7 +259,7 @@ protected:
                         {
                             ++nEdges;
                             maxSpeed =
-                                max
+                                largest
                                 (
                                     maxSpeed,
                                     mag((u & c.n) - wallSpeed(c.patch, c.n))

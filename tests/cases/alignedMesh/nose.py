@@ -5,9 +5,9 @@ that it may begin."""
 
 import numpy as np
 from bluntBody import P, RADIUS, SOUND, T, pitot
-from caseTools import (box, comes_to_rest, last_fields, must, read_points,
-                       undisturbed, verdict, write_block, write_case,
-                       write_field, write_points)
+from caseTools import (box, comes_to_rest, largest, last_fields, must,
+                       read_points, undisturbed, verdict, write_block,
+                       write_case, write_field, write_points)
 
 # Radially, and across: the front side of a cube on the sphere
 LAYERS, ACROSS, OUTER = 30, 16, 1.6
@@ -66,7 +66,8 @@ for flux, M in ("HLLC", 6), ("Kurganov", 6), ("HLLC", 20), ("Kurganov", 20):
     shock = (np.abs(np.gradient(p, axis=2)) > 0.05*p).any(axis=(0, 1))
     images = [image for q in (p, p.transpose(1, 0, 2))
               for image in (q, q[::-1], q[:, ::-1], q[::-1, ::-1])]
-    askew = max(np.abs(image - p)[..., ~shock].max() for image in images)/p0
+    askew = largest(np.abs(image - p)[..., ~shock].max()
+                    for image in images)/p0
     nose = p[ACROSS//2 - 1:ACROSS//2 + 1, ACROSS//2 - 1:ACROSS//2 + 1, 0]
     verdict(case + "_symmetric", askew < 1e-3 and (~shock).sum() > LAYERS/3,
             f"largest difference between images {askew:.1e} of p0 outside the"

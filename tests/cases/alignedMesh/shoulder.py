@@ -7,7 +7,7 @@ import re
 
 import numpy as np
 from bluntBody import P, between, pitot
-from caseTools import GAMMA, R_GAS, last_fields, must, verdict
+from caseTools import GAMMA, R_GAS, largest, last_fields, must, verdict
 
 MACH, CELLS, EDGE = 12, (60, 40), 0.2
 
@@ -27,7 +27,7 @@ p, t, U = (x.reshape(CELLS[1], CELLS[0], -1)
 nose = 0, -1
 MM = (U[nose]**2).sum()/(GAMMA*R_GAS*t[nose][0])
 rest = p[nose][0]*(1 + 0.2*MM)**3.5/(P*pitot(MACH)) - 1
-verdict("shoulder", "Mesh: follows the shock" in text and max(bands) < 0.5
+verdict("shoulder", "Mesh: follows the shock" in text and largest(bands) < 0.5
         and abs(rest) < 1e-3,
-        f"bands of {max(bands):g} and less, total pressure at the nose"
+        f"bands of {largest(bands):g} and less, total pressure at the nose"
         f" {100*rest:+.3f} % of Rayleigh's")

@@ -8,8 +8,8 @@ import re
 
 import numpy as np
 
-from caseTools import (complaint, copy_case, decompose, edit, must, run,
-                       times_of, verdict, write_foam)
+from caseTools import (complaint, copy_case, decompose, edit, largest, must,
+                       run, times_of, verdict, write_foam)
 from csvTables import table
 from dsmcTools import solve, write_gas
 
@@ -61,7 +61,7 @@ last = times_of("nearAgain")[-1]
 must("nearAgain", "rm", "-r", last, f"postProcessing/particleInterface/{last}")
 solve("nearAgain")
 again = records("nearAgain")
-same = len(again["x"]) == len(found["x"]) and max(
+same = len(again["x"]) == len(found["x"]) and largest(
     np.max(np.abs(again[name]/found[name] - 1)) for name in found
     if name not in ("uy", "uz"))
 verdict("interface_restart", same is not False and same < 1e-9,

@@ -17,9 +17,9 @@ import numpy as np
 
 import dust
 from caseTools import (GAMMA, R_GAS, complaint, copy_case, decompose, edit,
-                       last_fields, must, run, same_bits, solve, times_of,
-                       verdict, write_block, write_case, write_field,
-                       write_foam)
+                       largest, last_fields, must, run, same_bits, solve,
+                       times_of, verdict, write_block, write_case,
+                       write_field, write_foam)
 from dust import CLOUD, CP, read_dust, relaxation
 
 # Molten alumina
@@ -171,7 +171,7 @@ def main():
     alone = Nozzle(M, 1e-9, d).at(x)
     errors = [100*np.mean(np.abs(a - b))/np.mean(b) for a, b in (
         (U[:, 0], ue), (T, Te), (vp, ve), (Tp, Tpe))]
-    verdict(name, max(errors) < 0.1,
+    verdict(name, largest(errors) < 0.1,
             "L1 of gas and particles: velocities %.3f, %.3f %%, temperatures"
             " %.3f, %.3f %%; without particles the gas would be off by %.1f"
             " and %.1f %%" % (errors[0], errors[2], errors[1], errors[3],
@@ -227,7 +227,7 @@ def main():
     decompose(ranks)
     solve(ranks, 2)
     must(ranks, "reconstructPar", "-latestTime")
-    apart = max(np.abs(a - b).max()/np.abs(a).max() for a, b in zip(
+    apart = largest(np.abs(a - b).max()/np.abs(a).max() for a, b in zip(
         last_fields(straight, "p T U particlePower"),
         last_fields(ranks, "p T U particlePower")))
     # To what is left of the imbalance, 1e-8 of a cell

@@ -9,7 +9,7 @@ import re
 
 import numpy as np
 
-from caseTools import (GAMMA, complaint, copy_case, decompose, edit,
+from caseTools import (GAMMA, complaint, copy_case, decompose, edit, largest,
                        last_fields, must, read_field, run, solve, times_of,
                        verdict, write_block, write_field, write_foam)
 from caseTools import box as corners
@@ -59,7 +59,7 @@ for name, loading, d, steps, dt in (
     w, T = common(name, loading)
     _, _, found, u = state(name)
     off = np.abs(u - w).max()/np.linalg.norm(w), abs(found/T - 1)
-    verdict("sealed_" + name, max(off) < 1e-10,
+    verdict("sealed_" + name, largest(off) < 1e-10,
             "loading %g, %g um, %g s: velocity off by %.1e, temperature by "
             "%.1e" % (loading, 1e6*d, dt, *off))
 
@@ -89,7 +89,7 @@ for name, loading, d, end in (("order", 1, 1e-5, 4e-4),
         must(".", "rm", "-rf", case)
     orders = np.log2(np.array(errors[:-1])/np.array(errors[1:]))
     verdict(name + "_in_time",
-            np.all(orders[1:] > 0.8) and max(errors[-1]) < 5e-3,
+            np.all(orders[1:] > 0.8) and largest(errors[-1]) < 5e-3,
             "errors of u and T with 2 to 16 steps: " + ", ".join(
                 "%.1e %.1e" % e for e in errors)
             + "; orders " + ", ".join("%.2f %.2f" % tuple(o) for o in orders))
@@ -122,8 +122,8 @@ for name, change in (("rake", rake), ("stockInjection", lambda c: c)):
         time = times_of(case)[-1]
         _, found, heat = read_dust(case, time)
         age = read_field(f"{case}/{time}/lagrangian/sand/age")
-        errors[name, n] = (max(np.abs(found - v[0]).max()/300,
-                               np.abs(heat - hot).max()/200),
+        errors[name, n] = (largest(np.abs(found - v[0]).max()/300,
+                                   np.abs(heat - hot).max()/200),
                            np.abs(age*n/4e-4 - n).max())
         must(".", "rm", "-rf", case)
 verdict("one_way", all(errors["rake", n][0] < 1e-8
@@ -173,7 +173,7 @@ for name, TG, latent in (("melts", 1500., 5e5), ("melted", 1500., 5e4)):
     w, T = common(name, 1, enthalpy=enthalpy)
     _, _, found, u = state(name)
     off = np.abs(u - w).max()/np.linalg.norm(w), abs(found/T - 1)
-    verdict(name, max(off) < 1e-9 and (600 < T < 610) == (name == "melts"),
+    verdict(name, largest(off) < 1e-9 and (600 < T < 610) == (name == "melts"),
             "common temperature %.3f K; off by %.1e, %.1e" % (T, *off))
 T0 = 500.
 DENSITY = 1e5/(287.05*T0)
@@ -190,7 +190,7 @@ solve("two")
 w, T = common("two", 6)
 _, _, found, u = state("two")
 off = np.abs(u - w).max()/np.linalg.norm(w), abs(found/T - 1)
-verdict("two_clouds", max(off) < 1e-10, "off by %.1e, %.1e" % off)
+verdict("two_clouds", largest(off) < 1e-10, "off by %.1e, %.1e" % off)
 
 
 # Forces by the acceleration of the gas act on it, too: light grains in waves
@@ -330,7 +330,7 @@ solve("spreadSerial")
 decompose(ranks)
 solve(ranks, 2)
 must(ranks, "reconstructPar", "-latestTime")
-apart = max(np.abs(a - b).max()/np.abs(b).max() for a, b in zip(
+apart = largest(np.abs(a - b).max()/np.abs(b).max() for a, b in zip(
     last_fields("spreadSerial", "T p U"), last_fields(ranks, "T p U")))
 must(".", "rm", "-rf", ranks)
 verdict("smoothing_on_ranks", apart < 1e-12,
@@ -422,7 +422,7 @@ shared = re.findall(r"hand-overs between ranks = [^\n]*in all (\d+), (\d+)",
 off = abs(total/totals[-1] - 1), abs(
     dust_energy(ranks, end)/energies[-1, 1:].sum() - 1)
 verdict("collisions_of_two_ranks_close_it",
-        max(off) < 1e-10 and shared and int(shared[-1][0]) > 0,
+        largest(off) < 1e-10 and shared and int(shared[-1][0]) > 0,
         "total differs by %.1e from that of one rank, grains by %.1e; pairs"
         " between ranks, hand-overs %s" % (*off, shared[-1:]))
 
@@ -432,7 +432,7 @@ solve("straight")
 decompose(ranks)
 solve(ranks, 2)
 must(ranks, "reconstructPar", "-latestTime")
-apart = max(np.abs(a/b - 1).max() for a, b in zip(
+apart = largest(np.abs(a/b - 1).max() for a, b in zip(
     last_fields("straight", "T p"), last_fields(ranks, "T p")))
 grains = abs(dust_energy("straight")/dust_energy(ranks) - 1)
 verdict("two_ranks", apart < 1e-12 and grains < 1e-12,

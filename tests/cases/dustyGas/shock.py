@@ -12,9 +12,9 @@ import sys
 
 import numpy as np
 
-from caseTools import (GAMMA, R_GAS, box, edit, last_fields, must, solve,
-                       times_of, verdict, write_block, write_case, write_field,
-                       write_foam)
+from caseTools import (GAMMA, R_GAS, box, edit, largest, last_fields, must,
+                       solve, times_of, verdict, write_block, write_case,
+                       write_field, write_foam)
 from dust import CLOUD, CP, CP_P, RHO_P, read_dust, relaxation
 
 T1, P1 = 300., 1e5
@@ -181,7 +181,7 @@ def main():
               100*np.mean(np.abs(Tpp - Tpe)[near])/shock.T[0]]
     closed = abs(shock.u[-1]/far[0] - 1), abs(shock.T[-1]/far[1] - 1)
     cpu = re.findall(r"parcel-steps in ([\d.e+]+) CPU s", log)
-    verdict(name, max(errors) < 0.5 and max(closed) < 1e-3,
+    verdict(name, largest(errors) < 0.5 and largest(closed) < 1e-3,
             "L1 of gas and grains: velocities %.3f, %.3f %% of u1, "
             "temperatures %.3f, %.3f %% of T2; the shock drifted by %.2f cells"
             " in one passage; relaxation length %.3g m, its end %.1e, %.1e"

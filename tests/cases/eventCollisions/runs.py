@@ -8,9 +8,9 @@ import re
 
 import numpy as np
 
-from caseTools import (box, complaint, copy_case, decompose, edit, must,
-                       read_field, run, solve, times_of, verdict, write_block,
-                       write_case, write_field, write_foam)
+from caseTools import (box, complaint, copy_case, decompose, edit, largest,
+                       must, read_field, run, solve, times_of, verdict,
+                       write_block, write_case, write_field, write_foam)
 
 N = (24, 12, 1)
 LENGTH = (2.4e-3, 1.2e-3, 1e-4)
@@ -192,9 +192,9 @@ def on_ranks(name, start, n):
         searched[several] = of_ranks(log, "Pairs searched by each rank")
     worst = np.inf
     if first[False].keys() == first[True].keys() and first[False]:
-        worst = max(max(np.abs(u - first[True][i][0]).max()/300,
-                        np.abs(w - first[True][i][1]).max()/1e8)
-                    for i, (u, w) in first[False].items())
+        worst = largest(largest(np.abs(u - first[True][i][0]).max()/300,
+                                np.abs(w - first[True][i][1]).max()/1e8)
+                        for i, (u, w) in first[False].items())
     verdict(name + "_has_the_same_events",
             logs[False] == logs[True] and len(logs[True]) >= 5
             and np.all(between > 0) and not late,

@@ -3,7 +3,7 @@
 a wave goes: beside the stock rhoCentralFoam, restarted, and on two ranks.
 Those that make the velocity of the flux have exact solutions of their own."""
 
-from caseTools import (GAMMA, R_GAS, box, copy_case, decompose, edit,
+from caseTools import (GAMMA, R_GAS, box, copy_case, decompose, edit, largest,
                        last_fields, must, run, same_bits, solve, verdict,
                        write_block, write_case, write_field, write_foam)
 import numpy as np
@@ -128,10 +128,10 @@ def difference(these, those):
     """Mean, of the wave's pressure, temperature and velocity."""
     sizes = (BUMP*P, BUMP*T*(GAMMA - 1)/GAMMA,
              BUMP*P/(RHO*np.sqrt(GAMMA*R_GAS*T)))
-    return max(np.abs(a - b).mean()/size
-               for a, b, size in zip((these[0], these[1], these[2][:, 0]),
-                                     (those[0], those[1], those[2][:, 0]),
-                                     sizes))
+    return largest(np.abs(a - b).mean()/size
+                   for a, b, size in zip((these[0], these[1], these[2][:, 0]),
+                                         (those[0], those[1], those[2][:, 0]),
+                                         sizes))
 
 
 def again(case, fields):
@@ -185,8 +185,8 @@ for name, more in OF_FLUX.items():
     edit(name, "system/controlDict", f"endTime {END}", "endTime 1e-3")
     solve(name)
     p, t, u = last_fields(name, "p T U")
-    far = max(abs(p/P - 1).max(), abs(t/T - 1).max(),
-              abs(u[:, 0]/U - 1).max())
+    far = largest(abs(p/P - 1).max(), abs(t/T - 1).max(),
+                  abs(u[:, 0]/U - 1).max())
 
     # In time it goes the same way as with the velocity of the cells
     timed, known = name + "InTime", name + "Known"

@@ -10,9 +10,9 @@ of Sutherland's gas is proportional to its viscosity, lambda = k mu,
 """
 
 import numpy as np
-from caseTools import (GAMMA, R_GAS, box, copy_case, decompose, last_fields,
-                       must, solve, verdict, write_block, write_case,
-                       write_field)
+from caseTools import (GAMMA, R_GAS, box, copy_case, decompose, largest,
+                       last_fields, must, solve, verdict, write_block,
+                       write_case, write_field)
 
 V, TW, HEIGHT = 600.0, 300.0, 1e-3
 CV = R_GAS/(GAMMA - 1)
@@ -66,7 +66,7 @@ for n in 10, 20, 40:
     errors.append(error(case, n))
 
 worst = errors[-1]
-verdict("couette", max(worst) < 2e-4,
+verdict("couette", largest(worst) < 2e-4,
         f"largest error of u {worst[0]:.1e} V, of T {worst[1]:.1e} Tw,"
         " tolerance 2e-4")
 order = np.log2(errors[0][0]/errors[-1][0])/2
@@ -84,7 +84,7 @@ for lean in 5, 15:
 decompose("couetteRanks", (1, 2, 1))
 solve("couetteRanks", 2)
 must("couetteRanks", "reconstructPar", "-latestTime")
-difference = max(abs(a - b).max()/scale for a, b, scale in zip(
+difference = largest(abs(a - b).max()/scale for a, b, scale in zip(
     last_fields("couetteRanks", "T U"), last_fields("couette10", "T U"),
     (TW, V)))
 verdict("couetteTwoRanks", difference < 1e-7,

@@ -9,8 +9,8 @@ import shutil
 
 import numpy as np
 
-from caseTools import (complaint, copy_case, decompose, edit, must, read_field,
-                       run, verdict)
+from caseTools import (complaint, copy_case, decompose, edit, largest, must,
+                       read_field, run, verdict)
 from adhesionCurve import (ALPHA, MODULUS, WORK, mass, restitution,
                            separation_speed)
 from plate import (SOLVER, counters, injector, mesh, solve, write_plate)
@@ -89,10 +89,10 @@ def check_bare():
         elif t > 1:
             e = restitution(ALPHA, t*capture)
             u = U[index[i]]
-            worst = max(worst, abs(u[1]/V - e))
+            worst = largest(worst, abs(u[1]/V - e))
             stick = 2/7*0.4*V
-            slip = max(slip, abs(0.4*V - u[0]
-                                 - min(0.3*(1 + u[1]/V)*V, stick))/V)
+            slip = largest(slip, abs(0.4*V - u[0]
+                                     - min(0.3*(1 + u[1]/V)*V, stick))/V)
     c = counters(log)
     captured = [(d, t) for d, t, V in rows if t < 1]
     held = sum(mass(d) for d, t in captured)

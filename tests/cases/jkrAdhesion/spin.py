@@ -15,8 +15,8 @@ from adhesion import (ALPHA, CLOSED, CLOUD, D, LAYER, LID, N_LARGE, N_SMALL,
                       WALL, WALLS, all_parcels, closed, fall, mass, new,
                       patches, restitution, separation_speed, state,
                       total_mass)
-from caseTools import (copy_case, decompose, edit, hard_sphere, must, solve,
-                       verdict, write_case, write_field, write_foam)
+from caseTools import (copy_case, decompose, edit, hard_sphere, largest, must,
+                       solve, verdict, write_case, write_field, write_foam)
 from plate import SIDES, counters, mesh, write_plate
 
 SPIN = (3e5, -2e5, 4e5)
@@ -100,8 +100,8 @@ def check_release():
         V, omega = vector_of(h, "U#"), vector_of(h, "omega#")
         e = -float(h["UyOut"])/V[1]
         V1, omega1 = hard_sphere(V, omega, (0, 1, 0), D/2, e, 0.3)
-        worst = max(worst, np.abs(V1 - vector_of(h, "U#Out")).max()/3,
-                    np.abs(omega1 - vector_of(h, "omega#Out")).max()*D/6)
+        worst = largest(worst, np.abs(V1 - vector_of(h, "U#Out")).max()/3,
+                        np.abs(omega1 - vector_of(h, "omega#Out")).max()*D/6)
     e_law = restitution(ALPHA, 3/separation_speed(D))
     verdict("spin_rebound", len(bare) == 50 and worst < 1e-12
             and abs(e - e_law) < 5e-5,

@@ -9,7 +9,7 @@ import subprocess
 import time
 
 import numpy as np
-from caseTools import (R_GAS, box, complaint, copy_case, decompose,
+from caseTools import (R_GAS, box, complaint, copy_case, decompose, largest,
                        last_fields, must, run, same_bits, solve, times_of,
                        verdict, write_block, write_case, write_field)
 
@@ -74,9 +74,9 @@ def agrees(case, name):
     end = times_of("straight")[-1]
     if times_of(case)[-1] != end:
         return verdict(name, False, f"ended at {times_of(case)[-1]}")
-    d = max(abs(a/b - 1).max() for a, b in
-            zip(last_fields(case, "p T rho"), last_fields("straight",
-                                                          "p T rho")))
+    d = largest(abs(a/b - 1).max() for a, b in
+                zip(last_fields(case, "p T rho"), last_fields("straight",
+                                                              "p T rho")))
     bad = same_bits("straight", case, end)
     return verdict(name, not bad, f"largest difference from the straight run"
                    f" {d:.1e}; not the same to the last bit: "
@@ -268,9 +268,9 @@ for t in all_times[51:]:
 unfinish(f"ranks/processor1/{all_times[50]}", "p")
 if restarts("oneRankUnfinished", "ranks", 50, 49, 2):
     must("ranks", "reconstructPar", "-latestTime")
-    d = max(abs(a/b - 1).max() for a, b in
-            zip(last_fields("ranks", "p T rho"),
-                last_fields("straight", "p T rho")))
+    d = largest(abs(a/b - 1).max() for a, b in
+                zip(last_fields("ranks", "p T rho"),
+                    last_fields("straight", "p T rho")))
     verdict("oneRankUnfinishedSame", d < 1e-11,
             f"differs from one rank by {d:.1e}, tolerance 1e-11")
 

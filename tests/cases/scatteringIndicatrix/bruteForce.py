@@ -278,7 +278,7 @@ orientation {law}; nParticles {many};
         expected = s[key]**2 if key.startswith('sd') else s[key]
         error = max(error, 1/n)*np.sqrt(1 + n/many)
         off = abs(mean - expected)/error
-        if off > worst:
+        if off > worst or np.isnan(off):
             worst = off
             text = f'{key} {mean:.5g} against {expected:.5g}'
     counted, _ = np.histogram(b['a2'], np.arange(0, 181, 5))

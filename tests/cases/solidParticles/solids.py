@@ -9,7 +9,7 @@ import shutil
 
 import numpy as np
 
-from caseTools import (copy_case, decompose, edit, must, read_field,
+from caseTools import (copy_case, decompose, edit, largest, must, read_field,
                        summary_of, times_of, verdict)
 from dsmcTools import NITROGEN, read_molecules, read_wall, solve, write_gas
 from solidTools import (NUMBER, changes, fill, read_solids, tally,
@@ -46,8 +46,8 @@ for i in range(len(y)):
             break
         left -= t
         y[i], v[i] = (0., -0.8*v[i]) if v[i] < 0 else (0.01, -0.7*v[i])
-worst = max(np.abs(b["x"][:, 1] - y).max()/0.01,
-            np.abs(b["U"][:, 1]/v - 1).max())
+worst = largest(np.abs(b["x"][:, 1] - y).max()/0.01,
+                np.abs(b["U"][:, 1]/v - 1).max())
 verdict("rebound_exact", len(y) == 80 and worst < 1e-6
         and np.abs(v).min() < 10,
         f"{len(y)} particles, greatest deviation {worst:.1e} of position and"
@@ -264,11 +264,12 @@ for name, exchange, more in (("box_perCell", "perCell", ""),
             and np.array_equal(gas[0][0], gas[1][0])
             and np.array_equal(gas[0][2]["U"], gas[1][2]["U"])
             and np.array_equal(gas[0][2]["Ei"], gas[1][2]["Ei"]))
-    fields = max(np.abs(read_field(f"{name}/{names[-1]}/{f}")
-                        - read_field(f"{name}_again/{names[-1]}/{f}")).max()
-                 / np.abs(read_field(f"{name}/{names[-1]}/{f}")).max()
-                 for f in ("U.solids", "T.solids0", "momentumRate.gas",
-                           "energyRate.solids", "numberDensity.solids1"))
+    fields = largest(
+        np.abs(read_field(f"{name}/{names[-1]}/{f}")
+               - read_field(f"{name}_again/{names[-1]}/{f}")).max()
+        / np.abs(read_field(f"{name}/{names[-1]}/{f}")).max()
+        for f in ("U.solids", "T.solids0", "momentumRate.gas",
+                  "energyRate.solids", "numberDensity.solids1"))
     verdict(f"{name}_restart", same and fields == 0,
             f"bits {'same' if same else 'differ'}, means differ by"
             f" {fields:.1e}")

@@ -12,7 +12,7 @@ import shutil
 
 import numpy as np
 
-from caseTools import (copy_case, decompose, edit, hard_sphere, must,
+from caseTools import (copy_case, decompose, edit, hard_sphere, largest, must,
                        read_field, times_of, verdict, write_block, write_foam)
 from dsmcTools import NITROGEN, refuses, solve, write_gas
 from solidTools import (NUMBER, PROPERTIES, changes, fill, read_solids,
@@ -80,8 +80,8 @@ def check_replay(name, case):
     a, b = spins(case, first), spins(case, last)
     U, omega, hits = replayed(a, float(last) - float(first))
     scale = np.abs(omega).max()
-    worst = max(np.abs(b["U"] - U).max()/50,
-                np.abs(b["omega"] - omega).max()/scale)
+    worst = largest(np.abs(b["U"] - U).max()/50,
+                    np.abs(b["omega"] - omega).max()/scale)
     verdict(name, len(U) == 80 and hits > 80 and scale > 1e6
             and np.abs(omega).min(axis=0).max() > 0 and worst < 1e-6,
             f"{hits} hits of {len(U)} particles, spins up to {scale:.3g}"
@@ -131,7 +131,7 @@ for row in rows:
         for q, o in (("U", ""), ("omega", ""), ("U", "Out"),
                      ("omega", "Out")))
     U, omega = hard_sphere(V, w, (-1, 0, 0), float(row["d"])/2, E, F)
-    worst = max(worst, np.abs(omega - w1).max()/np.abs(omega).max())
+    worst = largest(worst, np.abs(omega - w1).max()/np.abs(omega).max())
     before += np.abs(w).max() > 0
 verdict("spin_inImpactRecords", before > 20 and worst < 1e-5,
         f"{len(rows)} impacts, {before} with a spin before, off by"

@@ -14,8 +14,8 @@ import numpy as np
 
 from adhesionCurve import (ALPHA, MODULUS, RHO, WORK, restitution,
                            separation_speed)
-from caseTools import (copy_case, decompose, edit, read_field, times_of,
-                       verdict)
+from caseTools import (copy_case, decompose, edit, largest, read_field,
+                       times_of, verdict)
 from dsmcTools import refuses, solve, write_gas
 from solidTools import PROPERTIES, read_solids, tally, write_solids
 
@@ -101,7 +101,7 @@ expected = {"massFlux": flux, "capturedMassFlux": flux,
             "specificHeatIncident": 900*500*flux,
             "heatFlux": (5e3 + 900*500)*flux}
 off = {k: abs(row[k]/v - 1) for k, v in expected.items()}
-verdict("surfaceImpact_ofABeam", max(off.values()) < 0.01,
+verdict("surfaceImpact_ofABeam", largest(off.values()) < 0.01,
         " ".join(f"{k} {v:.1e}" for k, v in off.items()))
 with open("struck/postProcessing/surfaceImpact/solids/0/impacts.csv") as file:
     rows = list(csv.DictReader(line for line in file if line[0] != "#"))

@@ -5,9 +5,9 @@ tolerance, not the time step, is to decide on the error."""
 
 import re
 
-from caseTools import (box, copy_case, edit, must, read_field, solve, times_of,
-                       verdict, write_block, write_case, write_field,
-                       write_foam)
+from caseTools import (box, copy_case, edit, largest, must, read_field, solve,
+                       times_of, verdict, write_block, write_case,
+                       write_field, write_foam)
 from spinningCloud import write_cloud
 
 END = 1e-3
@@ -57,7 +57,7 @@ T, U = grain(short, "fine")
 for name, tolerance in TOLERANCES.items():
     t, u = grain(case, name)
     dT, dU = abs(t - T)/300, abs(u - U).max()/190
-    verdict(f"longStep_{name}", max(dT, dU) < 10*tolerance,
+    verdict(f"longStep_{name}", largest(dT, dU) < 10*tolerance,
             f"tolerance {tolerance:.0e}: {dT:.1e} of its heating by 300 K and"
             f" {dU:.1e} of its slip of 190 m/s at the start from short steps,"
             " bound ten times the tolerance")

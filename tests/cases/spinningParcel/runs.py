@@ -9,7 +9,7 @@ import shutil
 import numpy as np
 
 from caseTools import (GAMMA, R_GAS, box, complaint, copy_case, decompose,
-                       edit, last_fields, must, run, solve, verdict,
+                       edit, largest, last_fields, must, run, solve, verdict,
                        write_block, write_case, write_field, write_foam)
 from foamFiles import parcels as parcel_fields
 
@@ -123,9 +123,9 @@ for motion in MOTIONS:
     there = state(ranks, TIMES[1])
     worst = 1.0
     if there.keys() == parcels.keys():
-        worst = max(max(np.abs(parcels[i][0] - there[i][0]).max()/500,
-                        np.abs(parcels[i][1] - there[i][1]).max()/2e6)
-                    for i in parcels)
+        worst = largest(largest(np.abs(parcels[i][0] - there[i][0]).max()/500,
+                                np.abs(parcels[i][1] - there[i][1]).max()/2e6)
+                        for i in parcels)
     verdict(motion + "_two_ranks", worst < 1e-10,
             f"largest difference {worst:.2g}")
 

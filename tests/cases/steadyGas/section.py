@@ -6,8 +6,8 @@ import re
 
 import numpy as np
 from bluntBody import SOUND, prepare
-from caseTools import (decompose, edit, last_fields, must, run, solve,
-                       verdict, write_field)
+from caseTools import (decompose, edit, largest, last_fields, must, run,
+                       solve, verdict, write_field)
 
 CELLS, MACH = (24, 24), 3
 SPEED = MACH*SOUND
@@ -25,7 +25,7 @@ def velocity(case, swirl, body, inlet=None):
 
 
 def apart(a, b):
-    return max(np.abs(x - y).max()/np.abs(y).max() for x, y in zip(a, b))
+    return largest(np.abs(x - y).max()/np.abs(y).max() for x, y in zip(a, b))
 
 
 def compare(name, gas, edits, body, bound):

@@ -4,8 +4,8 @@ pressure balance, p = p0 exp(w^2 r^2/(2 R T)) at uniform T, an exact solution of
 the Euler equations that lasts for ever."""
 
 import numpy as np
-from caseTools import (R_GAS, last_fields, must, solve, verdict, write_case,
-                       write_field, write_foam)
+from caseTools import (R_GAS, largest, last_fields, must, solve, verdict,
+                       write_case, write_field, write_foam)
 
 T, P0, RADIUS, N = 300.0, 1e5, 0.1, 40
 SPIN = 2500.0       # [rad/s]: 250 m/s at the wall
@@ -48,7 +48,7 @@ solve(case)
 
 p1, T1, U1 = last_fields(case, "p T U")
 speed = SPIN*RADIUS
-apart = max(np.abs(p1/p - 1).max(), np.abs(T1/T - 1).max())
+apart = largest(np.abs(p1/p - 1).max(), np.abs(T1/T - 1).max())
 turned = np.abs(U1[:, 2] - U[:, 2]).max()/speed
 radial = np.abs(U1[:, 1]).max()/speed
 verdict("swirl", apart < 2e-3 and turned < 5e-3 and radial < 2e-3,

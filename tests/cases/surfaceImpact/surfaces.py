@@ -11,7 +11,8 @@ import shutil
 import numpy as np
 
 from caseTools import (complaint, copy_case, decompose, edit, hard_sphere,
-                       must, read_field, run, times_of, verdict, write_foam)
+                       largest, must, read_field, run, times_of, verdict,
+                       write_foam)
 import csvTables
 
 SOLVER = "uncoupledKinematicParcelFoam"
@@ -428,8 +429,8 @@ verdict("restart_has_the_same_table", all(
 ranks = channel("ranks")
 decompose(ranks)
 solve(ranks, 2)
-worst = max(same_table(table(straight, n), table(ranks, n))
-            for n in ("byAngle", "byPatch"))
+worst = largest(same_table(table(straight, n), table(ranks, n))
+                for n in ("byAngle", "byPatch"))
 verdict("ranks_have_the_same_table", worst < 1e-10, f"apart by {worst:.2g}")
 must(ranks, "reconstructPar", "-latestTime")
 worst = 0.0
@@ -438,7 +439,7 @@ for name in ("numberDensity", "concentration", "U", "URms"):
     x = read_field(os.path.join(straight, "0.0004", field))
     y = read_field(os.path.join(ranks, "0.0004", field))
     scale = 1e3 if name == "URms" else np.abs(x).max()
-    worst = max(worst, np.abs(x - y).max()/scale)
+    worst = largest(worst, np.abs(x - y).max()/scale)
 verdict("ranks_have_the_same_dispersed_phase", worst < 1e-10,
         f"apart by {worst:.2g}")
 
@@ -451,8 +452,8 @@ write_foam(shared, "system/controlDict", f"""
 #include "{os.path.abspath(straight)}/system/controlDict"
 """)
 solve(shared)
-worst = max(same_table(table(straight, n), table(shared, n))
-            for n in ("byAngle", "byPatch"))
+worst = largest(same_table(table(straight, n), table(shared, n))
+                for n in ("byAngle", "byPatch"))
 verdict("two_ranks_then_one", worst < 1e-10, f"apart by {worst:.2g}")
 
 # One rank, then two
@@ -463,8 +464,8 @@ write_foam(shared, "system/controlDict", f"""
 #include "{os.path.abspath(straight)}/system/controlDict"
 """)
 solve(shared, 2)
-worst = max(same_table(table(straight, n), table(shared, n))
-            for n in ("byAngle", "byPatch"))
+worst = largest(same_table(table(straight, n), table(shared, n))
+                for n in ("byAngle", "byPatch"))
 verdict("one_rank_then_two", worst < 1e-10, f"apart by {worst:.2g}")
 
 # Averages that were made otherwise are not gone on with
@@ -542,8 +543,8 @@ for hit in sorted(hits, key=lambda h: float(h["time"])):
          else (0, 1 if float(hit["y"]) < 0.02 else -1, 0))
     U1, omega = hard_sphere(U, w, n, D/2, RESTITUTION, FRICTION)
     U1[2] = 0       # not solved for
-    worst = max(worst, np.abs(Uout - U1).max()/V,
-                D/2*np.abs(wout - omega).max()/V)
+    worst = largest(worst, np.abs(Uout - U1).max()/V,
+                    D/2*np.abs(wout - omega).max()/V)
     key = hit["origProc"], hit["origId"]
     before = SPIN if hit["firstImpact"] == "1" else last.get(key)
     if before is not None:
@@ -590,8 +591,8 @@ verdict("spin_restart_is_bitwise", a == b and not differ
 ranks = spinning("spinRanks")
 decompose(ranks)
 solve(ranks, 2, OURS)
-worst = max(same_table(table(straight, n), table(ranks, n))
-            for n in ("byAngle", "byPatch"))
+worst = largest(same_table(table(straight, n), table(ranks, n))
+                for n in ("byAngle", "byPatch"))
 verdict("spin_ranks_have_the_same_table", worst < 1e-10,
         f"apart by {worst:.2g}")
 

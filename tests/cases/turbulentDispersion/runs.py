@@ -5,8 +5,8 @@ import os
 
 import numpy as np
 
-from caseTools import (complaint, copy_case, decompose, edit, must, read_field,
-                       run, solve, times_of, verdict)
+from caseTools import (complaint, copy_case, decompose, edit, largest, must,
+                       read_field, run, solve, times_of, verdict)
 from turbulence import (END, EPSILON, K, LIFE, MU, N, RHO, SIZE, age, parcels,
                         prepare)
 
@@ -96,7 +96,7 @@ edit(watched, "constant/dustProperties", "cloudFunctions {}",
 solve(watched)
 a = parcels(watched)
 scale = [np.sqrt(np.mean(q**2)) for q in (x, v)]
-off = max(np.abs(p - q).max()/s for p, q, s in zip(a, (x, v), scale))
+off = largest(np.abs(p - q).max()/s for p, q, s in zip(a, (x, v), scale))
 verdict("oneByOneAsInArrays", off < 1e-8, f"they differ by {off:.1e}")
 
 # From the half on: on one rank, and on two, among which parcels go to and fro
@@ -107,8 +107,8 @@ solve(again)
 decompose(ranks)
 solve(ranks, 2)
 must(ranks, "reconstructPar", "-latestTime")
-off = max(np.abs(p - q).max()/s
-          for p, q, s in zip(parcels(ranks), (x, v), scale))
+off = largest(np.abs(p - q).max()/s
+              for p, q, s in zip(parcels(ranks), (x, v), scale))
 verdict("twoRanksAsOne", off < 1e-8, f"they differ by {off:.1e}")
 
 end = times_of(heavy)[-1]

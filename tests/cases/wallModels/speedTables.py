@@ -9,7 +9,7 @@ import shutil
 
 import numpy as np
 
-from caseTools import must, times_of, verdict, write_foam
+from caseTools import largest, must, times_of, verdict, write_foam
 from plate import counters, mesh, parcels, solve, write_plate
 from walls import (BOX, LAW, LID, ROUGH, beam, by_degree, check_ranks,
                    check_refusals, excess, new, patches)
@@ -91,7 +91,7 @@ def check_between_speeds():
         x = differences(direct[speed], drawn, rows)
         # Those that strike again are slower
         again = c["hits"][0] - n
-        verdict(f"speedTable_{speed}", max(x) < 5 and len(drawn) == n
+        verdict(f"speedTable_{speed}", largest(x) < 5 and len(drawn) == n
                 and c["speed held"][0] <= again < n/100,
                 "angle, speed, its square: " + " ".join(
                     f"{v:.1f}" for v in x) + " deviations")

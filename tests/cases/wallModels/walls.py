@@ -11,7 +11,7 @@ import sys
 import numpy as np
 
 from caseTools import (complaint, copy_case, decompose, edit, hard_sphere,
-                       must, run, times_of, verdict, write_foam)
+                       largest, must, run, times_of, verdict, write_foam)
 from plate import (OPEN, SOLVER, counters, injector, mesh, parcels, solve,
                    write_plate)
 
@@ -85,7 +85,8 @@ def check_hard_sphere():
                 if rotation == "off":
                     w = np.zeros(3)
                 y, t, impacts = 0.01 if up else 0, t - need, impacts + 1
-            worst = max(worst, np.abs(u - V).max(), r*np.abs(spin - w).max())
+            worst = largest(worst, np.abs(u - V).max(),
+                            r*np.abs(spin - w).max())
         verdict(f"hardSphere_bounces_rotation_{rotation}", worst < 1e-10,
                 f"{impacts} impacts of 5 parcels, largest difference"
                 f" {worst:.1e}")
@@ -168,7 +169,7 @@ def check_local_law():
                 outside += beta < 5 or v < 20
             V, w = hard_sphere(V, w, n, r, e, f)
             y, t, impacts = 0.01 if up else 0, t - need, impacts + 1
-        worst = max(worst, np.abs(u - V).max(), r*np.abs(spin - w).max())
+        worst = largest(worst, np.abs(u - V).max(), r*np.abs(spin - w).max())
     c, lid = counters(log), counters(log, "yMax")
     verdict("localLaw_formulae", worst < 1e-10 and impacts > 8,
             f"{impacts} impacts, largest difference {worst:.1e}")
@@ -204,8 +205,8 @@ def check_semi_empirical():
         et = 0.9 - 0.3*beta + 0.05*beta**2
         vx, vy = SPEED*math.cos(beta), SPEED*math.sin(beta)
         spin = 2.5/r*(et - 1)*vx if a < 25 else -et*vx/r
-        worst = max(worst, abs(u[0] - et*vx), abs(u[1] - eN*vy),
-                    r*abs(w[2] - spin))
+        worst = largest(worst, abs(u[0] - et*vx), abs(u[1] - eN*vy),
+                        r*abs(w[2] - spin))
     c = counters(log)
     verdict("semiEmpirical_formulae", worst < 1e-10,
             f"6 angles, largest difference {worst:.1e}")

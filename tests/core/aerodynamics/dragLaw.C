@@ -9,6 +9,7 @@ Description
 
 #include "dragLaw.H"
 #include "freeMolecularSphere.H"
+#include "largest.H"
 #include "printedDrag.H"
 
 #include <gtest/gtest.h>
@@ -73,12 +74,12 @@ double jumpAtMach
     double ReHigh
 )
 {
-    double largest = 0;
+    double jump = 0;
     for (double Re = ReLow; Re <= ReHigh; Re *= 1.02)
     {
-        largest = std::max
+        jump = largest
         (
-            largest,
+            jump,
             std::fabs
             (
                 Cd(name, Re, M*(1 + 1e-9), form)
@@ -87,19 +88,19 @@ double jumpAtMach
             )
         );
     }
-    return largest;
+    return jump;
 }
 
 
 //- The largest relative jump of Loth's law at Re = 45
 double jumpAt45(const char* form)
 {
-    double largest = 0;
+    double jump = 0;
     for (double M = 0.01; M <= 20; M += 0.01)
     {
-        largest = std::max
+        jump = largest
         (
-            largest,
+            jump,
             std::fabs
             (
                 Cd("lothDrag", 45*(1 + 1e-12), M, form)
@@ -108,7 +109,7 @@ double jumpAt45(const char* form)
             )
         );
     }
-    return largest;
+    return jump;
 }
 
 } // End anonymous namespace
@@ -158,7 +159,7 @@ TEST(dragLaw, equalsThePrintedFormulas)
         {
             const double error = std::fabs(double(value/expected - 1));
             EXPECT_LT(error, 1e-12) << name;
-            worst = std::max(worst, error);
+            worst = largest(worst, error);
             ++count;
         };
     for (const double gamma : {1.1, 1.4, 5./3})
@@ -283,7 +284,7 @@ TEST(dragLaw, ofGanserIsThatOfMeasuredIsometricParticles)
         for (double Re = 0.1; Re < 1.01e4; Re *= 1.2)
         {
             const double off = law->CdRe(Re, 0)/haider->CdRe(Re, 0) - 1;
-            maxDeviation = std::max(maxDeviation, std::fabs(off));
+            maxDeviation = largest(maxDeviation, std::fabs(off));
             squares += off*off;
             ++count;
         }
@@ -389,7 +390,7 @@ TEST(dragLaw, hasItsLimits)
             {
                 const double here = 1 - Cd("lothDrag", 1e-12, M)/exact;
                 mostBelow = here > below ? M : mostBelow;
-                below = std::max(below, here);
+                below = largest(below, here);
             }
         }
     }

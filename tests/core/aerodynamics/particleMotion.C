@@ -8,6 +8,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "hendersonDrag.H"
+#include "largest.H"
 #include "particleMotion.H"
 
 #include <gtest/gtest.h>
@@ -178,7 +179,7 @@ TEST(particleMotion, hasOrderFiveAndFour)
         {
             motionState end;
             rungeKutta(force, s, 1./n, end, s4);
-            worst4 = std::max(worst4, distance(end.v, s4.v));
+            worst4 = largest(worst4, distance(end.v, s4.v));
             s = end;
         }
         const double e5 = std::fabs(s.v.x - exactSpeed(3, 0.8, 2, 1));

@@ -8,6 +8,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "fluxes.H"
+#include "largest.H"
 #include "limiters.H"
 
 #include <gtest/gtest.h>
@@ -73,7 +74,7 @@ double distance
         }
         for (int i = 0; i < faceBlock::size; i++)
         {
-            worst = std::max(worst, std::fabs(a[k][i] - sign*b[k][i])/scale);
+            worst = largest(worst, std::fabs(a[k][i] - sign*b[k][i])/scale);
         }
     }
     return worst;

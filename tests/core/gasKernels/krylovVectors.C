@@ -7,6 +7,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "krylovBasis.H"
+#include "largest.H"
 
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -79,7 +80,7 @@ TEST(krylovBasis, becomesOrthonormal)
             basis.add(i + 1, 1, h.data(), sum);
             for (int k = 0; k < n; k++)
             {
-                rebuilt = std::max(rebuilt, std::fabs(sum[k] - before[k]));
+                rebuilt = largest(rebuilt, std::fabs(sum[k] - before[k]));
             }
         }
         double worst = 0;
@@ -90,7 +91,7 @@ TEST(krylovBasis, becomesOrthonormal)
             for (int j = 0; j <= i; j++)
             {
                 basis.get(j, b);
-                worst = std::max(worst, std::fabs(dot(a, b) - (i == j)));
+                worst = largest(worst, std::fabs(dot(a, b) - (i == j)));
             }
         }
         EXPECT_LT(worst, 1e-5) << "n = " << n;

@@ -8,6 +8,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "radiativeCooling.H"
+#include "largest.H"
 
 #include <gtest/gtest.h>
 #include <cmath>
@@ -176,7 +177,7 @@ TEST(radiativeCooling, tabulatesTheClosedFormTo1em10)
                     radiativeCooling::state state = cooling.start(T);
                     state.y += rate*std::pow(10., 0.0173*i);
                     const double exact = cooling.exactTemperature(state);
-                    worst = std::max
+                    worst = largest
                     (
                         worst,
                         std::fabs(cooling.temperature(state)/exact - 1)

@@ -7,6 +7,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "sphereReflection.H"
+#include "largest.H"
 
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -51,7 +52,7 @@ TEST(sphereReflection, momentsOfTheExactLaw)
     double greatest = 0;
     for (double x = 0; x <= M_PI; x += 1e-3)
     {
-        greatest = std::max
+        greatest = largest
         (
             greatest,
             std::fabs
