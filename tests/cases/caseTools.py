@@ -84,6 +84,22 @@ def complaint(text):
     return " ".join(" ".join(lines[:8]).split())[:300]
 
 
+def refuses(name, result, words, start="\nTime = "):
+    """Verdict on what run() gave: it stopped before its start, if that is not
+    None, by an error whose message, wherever its lines break, has these
+    words."""
+    status, text = result
+    at = text.find("FOAM FATAL")
+    message = " ".join(text[max(at, 0):].split("From function")[0].split())
+    missing = [w for w in words if w not in message]
+    wrong = ("accepted" if not status
+             else "died without FOAM FATAL" if at < 0
+             else "refused after the start" if start and start in text[:at]
+             else f"the message lacks {missing}" if missing else "")
+    said = complaint(text)
+    return verdict(name, not wrong, f"{wrong}: {said}" if wrong else said[:120])
+
+
 # How snappyHexMesh is to move points to surfaces, without layers
 SNAPPY_CONTROLS = """
 snapControls { nSmoothPatch 3; tolerance 2; nSolveIter 30; nRelaxIter 5; }

@@ -6,8 +6,9 @@ import re
 
 import numpy as np
 
-from caseTools import (SIDES, box, complaint, entries, must, read_field, run,
-                       verdict, write_block, write_foam)
+import caseTools
+from caseTools import (SIDES, box, entries, must, read_field, run,
+                       write_block, write_foam)
 from foamFiles import positions
 
 K = 1.380649e-23    # [J/K]
@@ -102,13 +103,8 @@ def solve(case, ranks=1):
 
 def refuses(name, case, texts):
     """Verdict: the solver stops before its first step, with these texts."""
-    status, text = run(case, "dsmcParcelFoam")
-    flat = " ".join(text.split())
-    missing = [t for t in texts if t not in flat]
-    verdict(name, status != 0 and not missing
-            and "Starting time loop" not in text,
-            f"status {status}, message lacks {missing}: {complaint(text)}"
-            if status == 0 or missing else complaint(text)[:100])
+    caseTools.refuses(name, run(case, "dsmcParcelFoam"), texts,
+                      "Starting time loop")
 
 
 # ------------------------------------------------------------------- reading

@@ -375,17 +375,17 @@ scalar writeRestitution(const fileName& folder, const jkrImpactSetup& setup)
         }
         catch (const std::invalid_argument& error)
         {
-            FatalErrorInFunction
-                << "speeds " << V << " m/s: " << error.what()
+            FatalIOErrorInFunction(setup.dict)
+                << "Entry speeds " << V << " m/s: " << error.what()
                 << " (v_st " << v << " m/s)";
             if (!law.isConstant())
             {
-                FatalError
+                FatalIOError
                     << ". alpha(e) holds for e from " << law.low() << " to "
                     << law.high() << ", at speeds of " << v*law.speed(law.low())
                     << " to " << v*law.speed(law.high()) << " m/s";
             }
-            FatalError << exit(FatalError);
+            FatalIOError << exit(FatalIOError);
         }
     }
     const scalar share = deepest/contact.radius();

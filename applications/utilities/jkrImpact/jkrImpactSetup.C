@@ -110,6 +110,7 @@ Foam::jkrImpactSetup::jkrImpactSetup
     const fileName& casePath
 )
 :
+    dict(dict),
     contact
     (
         dict.found("contact")

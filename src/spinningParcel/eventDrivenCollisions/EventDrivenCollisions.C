@@ -86,7 +86,7 @@ void Foam::EventDrivenCollisions<CloudType>::checkCloud() const
             (cloud_.dispersion())
     )
     {
-        refuseHere("dispersionModel", cloud_.dispersion().modelType(), "none");
+        refuseHere("dispersionModel", cloud_.dispersion().type(), "none");
     }
     if (cloud_.solution().cellValueSourceCorrection())
     {

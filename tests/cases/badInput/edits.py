@@ -6,8 +6,8 @@ import os
 import re
 import shutil
 
-from caseTools import (complaint, copy_case, edit, must, run, verdict,
-                       write_block, write_field, write_foam)
+from caseTools import (complaint, copy_case, edit, must, refuses, run,
+                       verdict, write_block, write_field, write_foam)
 
 SOLUTION, SCHEMES = "system/fvSolution", "system/fvSchemes"
 THERMO = "constant/thermophysicalProperties"
@@ -531,18 +531,4 @@ for name in "good_rake50", "volumeFraction":
             if status else "the unspoilt case runs")
 
 for name, change, words in TABLE:
-    status, text = trial(name, change)
-    at = text.find("FOAM FATAL")
-    message = text[at:].split("From function")[0]
-    missing = [w for w in words if w not in message]
-    if status == 0:
-        reason = "accepted"
-    elif at < 0:
-        reason = "died without FOAM FATAL: " + complaint(text)
-    elif "\nTime = " in text[:at]:
-        reason = "refused after the first time step: " + complaint(text)
-    elif missing:
-        reason = f"the message lacks {missing}: " + complaint(text)
-    else:
-        reason = ""
-    verdict(name, not reason, reason or "refused")
+    refuses(name, trial(name, change), words)

@@ -6,8 +6,8 @@ import os
 
 import numpy as np
 from caseTools import (R_GAS, box, complaint, decompose, last_fields, must,
-                       read_field, run, times_of, verdict, write_block,
-                       write_case, write_field)
+                       read_field, refuses, run, times_of, verdict,
+                       write_block, write_case, write_field)
 
 N, DT, END = 100, 1e-6, 2e-5
 AT = 1e-5           # time at which the boundary condition goes wrong
@@ -66,11 +66,7 @@ def table(before, after):
 
 def refused(name, case, *words):
     """Stops before the first step, and says why."""
-    status, text = run(case, "rhoCentralParcelFoam")
-    missing = [w for w in words if w not in text]
-    verdict(name, status != 0 and "FOAM FATAL" in text
-            and "\nTime = " not in text and not missing,
-            complaint(text) + (f"; does not say {missing}" if missing else ""))
+    refuses(name, run(case, "rhoCentralParcelFoam"), words)
 
 
 def stops(name, case, *words, ranks=1, near=AT):

@@ -15,7 +15,8 @@ import sys
 
 import numpy as np
 
-from caseTools import (complaint, must, read_field, run, times_of, verdict)
+from caseTools import (complaint, must, read_field, refuses, run, times_of,
+                       verdict)
 from riemann import riemann
 
 FULL = "-full" in sys.argv[1:]
@@ -261,12 +262,7 @@ def check(row):
         status = 1
 
     if "refused" in row:
-        at = text.find("FOAM FATAL IO ERROR")
-        missing = [w for w in row["refused"] if w not in text[max(at, 0):]]
-        said = " ".join(complaint(text).split("file:")[0].split())
-        verdict(f"{name}_is_refused",
-                status != 0 and at >= 0 and "\nTime = " not in text[:at]
-                and not missing, said)
+        refuses(f"{name}_is_refused", (status, text), row["refused"])
         return
 
     p = pressure(ours, row) if status == 0 else None

@@ -5,7 +5,7 @@ an empty folder."""
 
 import re
 
-from caseTools import complaint, run, verdict, write_foam
+from caseTools import complaint, refuses, run, verdict, write_foam
 from plate import SOLVER, injector, mesh, write_plate
 
 FALLS = injector((0.4, 0.005, 0.09), (0.4, 0.005, 0.11), 2, (100, -100, 0),
@@ -24,13 +24,6 @@ def case(name, *, walls=f"yMin {WALL}", lid=LID, falls=FALLS, **options):
     return name
 
 
-def refused(name, words, text, status):
-    missing = [w for w in words if w not in text]
-    verdict(f"refuses_{name}",
-            status != 0 and "FOAM FATAL" in text and not missing,
-            f"lacks {missing} in: {complaint(text)}" if missing else words[0])
-
-
 def main():
     # A pattern that means walls, and takes in the cyclic patches beside them
     for name, walls, lid, warnings in (
@@ -43,16 +36,15 @@ def main():
         verdict(f"warnsOfCyclicWalls_{name}",
                 status == 0 and said == warnings,
                 f"warned of {said}" if status == 0 else complaint(text))
-    status, text = run(case("cyclicNamed", sides=CYCLIC,
-                            walls=f"yMin {WALL} zMin {WALL}"), SOLVER)
-    refused("cyclicWall", ["zMin", "type cyclic", "multiInteraction"], text,
-            status)
-
-    status, text = run(case("twoDrags", extra="particleForces { sphereDrag;"
-                            " lothDrag {} }", libs="parcelForces"
-                            " parcelInjection parcelWallInteraction"), SOLVER)
-    refused("secondDrag", ["sphereDrag and lothDrag", "forces add up"], text,
-            status)
+    refuses("refuses_cyclicWall",
+            run(case("cyclicNamed", sides=CYCLIC,
+                     walls=f"yMin {WALL} zMin {WALL}"), SOLVER),
+            ["zMin", "type cyclic", "multiInteraction"])
+    refuses("refuses_secondDrag",
+            run(case("twoDrags", extra="particleForces { sphereDrag;"
+                     " lothDrag {} }", libs="parcelForces parcelInjection"
+                     " parcelWallInteraction"), SOLVER),
+            ["sphereDrag and lothDrag", "forces add up"])
 
     stream = ("type crossSectionInjection; patches (yMax); U0 (0 -10 0);"
               " volumeFraction 1e-6; diameter 1e-5; nParticle 1e6;")
@@ -66,8 +58,8 @@ solidBodyMotionFunction linearMotion; linearMotionCoeffs { velocity (1 0 0); }
 """ if moves else "dynamicFvMesh staticFvMesh;")
         status, text = run(name, MOVING)
         if moves:
-            refused("movingInlet", ["mesh moves", "rakeInjection"], text,
-                    status)
+            refuses("refuses_movingInlet", (status, text),
+                    ["mesh moves", "rakeInjection"], start=None)
         else:
             verdict("takesInletAtRest", status == 0,
                     complaint(text) if status else "runs")

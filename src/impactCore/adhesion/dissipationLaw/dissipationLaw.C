@@ -124,6 +124,15 @@ double impact::dissipationLaw::calibrated
 )
 {
     const double limit = restitution(0, q, unloading);
+    if (!(limit > 0))
+    {
+        std::ostringstream entry;
+        entry<< "restitution " << e << ": its speed over v_st";
+        throwOutOfRange
+        (
+            entry.str(), q, "(1, inf), slower ones stick without any loss"
+        );
+    }
     if (!(e > 0 && e < limit))
     {
         std::ostringstream entry;
