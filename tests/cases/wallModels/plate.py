@@ -10,8 +10,6 @@ import foamFiles
 
 SOLVER = "icoUncoupledKinematicParcelFoam"
 CLOUD = "kinematicCloud"
-# Every side of the box but the plate lets parcels out
-OPEN = '"[xyz]M.*" { type escape; }'
 SIDES = {"xMin": "patch", "xMax": "patch", "yMin": "wall", "yMax": "patch",
          "zMin": "patch", "zMax": "patch"}
 
@@ -130,5 +128,5 @@ def write_csv(path, rows):
         csv.writer(file).writerows(rows)
 
 
-__all__ = ["OPEN", "SIDES", "SOLVER", "counters", "injector", "mesh",
+__all__ = ["SIDES", "SOLVER", "counters", "injector", "mesh",
            "parcels", "run", "solve", "write_plate"]

@@ -10,9 +10,10 @@ import shutil
 import numpy as np
 
 from caseTools import largest, must, times_of, verdict, write_foam
+from indicatrices import (BOX, LAW, LID, ROUGH, beam, by_degree, excess, new,
+                          patches)
 from plate import counters, mesh, parcels, solve, write_plate
-from walls import (BOX, LAW, LID, ROUGH, beam, by_degree, check_ranks,
-                   check_refusals, excess, new, patches)
+from walls import check_ranks, check_refusals
 
 # Restitution between 0.95 and 0.5, and along the wall between 0.1 and 0.5
 OF_SPEED = """law
