@@ -11,8 +11,8 @@ import shutil
 import numpy as np
 
 from caseTools import (complaint, copy_case, decompose, edit, hard_sphere,
-                       largest, must, read_field, run, times_of, verdict,
-                       write_foam)
+                       largest, must, read_field, refuses, run, times_of,
+                       verdict, write_foam)
 import csvTables
 
 SOLVER = "uncoupledKinematicParcelFoam"
@@ -364,7 +364,7 @@ told = list(map(float, told.groups())) if told else [math.nan]*5
 verdict("wear_in_words", np.allclose(told, [
     row["wearRate_mm_per_year"], row["wearRateError_mm_per_year"],
     oka(steep), told[4]*oka(steep), row["massFlux"]*row["area"]*2e-4],
-                                     rtol=1e-4)
+                                     rtol=1e-4, atol=0)
         and unit_of("wearRate") == unit_of("wearRateError") == ["mm/year"]
         and unit_of("specificErosion") == ["mm3/kg"]
         and unit_of("erosionRate") == [],
@@ -564,8 +564,8 @@ told = t["specificPower"]*window
 moved = t["specificPowerTranslational"]*window
 summed = np.array([power[name] for name in t["patch"]])
 verdict("spin_power",
-        np.allclose(moved, summed[:, 0], rtol=1e-9)
-        and np.allclose(told, summed.sum(axis=1), rtol=1e-9)
+        np.allclose(moved, summed[:, 0], rtol=1e-9, atol=0)
+        and np.allclose(told, summed.sum(axis=1), rtol=1e-9, atol=0)
         and np.all(np.abs(told/moved - 1) > 0.01),
         f"in space {moved} J, with spin {told} J")
 firsts = [h["origId"] for h in hits if h["firstImpact"] == "1"]
@@ -607,8 +607,10 @@ last = times_of(case)[-1]
 t = table(case)
 low = t["phi_deg"] <= 60
 worst = np.max((t["intensityError"]/t["intensity"])[low])
+# Not at the target itself: the error of ten blocks and more has one of its own,
+# for which it is taken 1.29 to 1.47 times
 verdict("stops_at_the_error", status == 0 and "the target is met" in text
-        and 1.6e-4 < float(last) < 1e-2 and worst < 0.2
+        and 1.6e-4 < float(last) < 1e-2 and 0.07 < worst < 0.15/1.29
         and os.path.exists(os.path.join(
             case, last, CLOUD + ":surfaceImpact:intensity")),
         f"at {last} s with {worst:.3f}")
@@ -646,13 +648,8 @@ def refused(name, functions, *words, control=""):
     at = text.index("cloudFunctions")
     with open(properties, "w") as file:
         file.write(text[:at] + "cloudFunctions {\n" + functions + "}\n")
-    status, text = run(CASE, SOLVER)
-    at = text.find("FOAM FATAL")
-    message = text[at:]
-    missing = [w for w in (CLOUD + "Properties", *words) if w not in message]
-    verdict("refuses_" + name, status != 0 and at >= 0 and not missing
-            and "\nTime = " not in text,
-            f"lacks {missing}" if missing else complaint(text))
+    refuses("refuses_" + name, run(CASE, SOLVER),
+            (CLOUD + "Properties", *words))
 
 
 refused("zero_axis", surface("axis { direction (0 0 0); from (-1 0 0); }"),
