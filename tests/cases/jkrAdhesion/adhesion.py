@@ -10,7 +10,7 @@ import shutil
 import numpy as np
 
 from caseTools import (complaint, copy_case, decompose, edit, largest, must,
-                       read_field, run, verdict)
+                       read_field, refuses, run, verdict)
 from adhesionCurve import (ALPHA, MODULUS, WORK, mass, restitution,
                            separation_speed)
 from plate import (SOLVER, counters, injector, mesh, solve, write_plate)
@@ -179,7 +179,7 @@ def check_layer():
     want = (0.4, number(0.1, small, 1),
             number(0.1, small, 1)*mass(small)
             + number(0.3, large, 1)*mass(large))
-    verdict("layer_fields", np.allclose(fields, want, rtol=1e-12)
+    verdict("layer_fields", np.allclose(fields, want, rtol=1e-12, atol=0)
             and (cover > 0).sum() == 1
             and counters(early)["hits on adhered particles"] == [0],
             f"coverage {fields[0]:.12f}, number and mass as deposited")
@@ -276,8 +276,11 @@ def check_oblique():
             f"{p:.12f} of 100")
     w = L[:, 2]/(0.1*mass(D)*D*D)
     # The impulse turns both the same way: equal spheres, equal spins
-    verdict("oblique_spin", np.allclose(w, w[0], rtol=1e-9)
-            and abs(w[0]) > 1e4, f"{w[0]:.5g} 1/s")
+    # It takes 2/7 of the slip of 2 m/s, of which either has half
+    exact = -2.5/(D/2)*2/7*2/2
+    verdict("oblique_spin", len(w) == 100
+            and np.allclose(w, exact, rtol=1e-6, atol=0),
+            f"{w[0]:.7g} of {exact:.7g} 1/s")
     overfill = patch_field(case, "0.006", "overfill", "yMin").max()
     verdict("overfill", 0.99 < overfill < 1 and patch_field(
         case, "0.006", "coverage", "yMin").max() == 1, f"{overfill:.6f}")
@@ -301,7 +304,9 @@ def closed(name, model, settings, **more):
         injector((0.01, 0.01, 0.01), (0.09, 0.02, 0.03), 300, (-5, 3, -6),
                  1e-5, N_SMALL),
         injector((0.005, 1.1e-3, 0.005), (0.095, 1.1e-3, 0.095), 300,
-                 (0.1, -0.05, 0.1), D, N_LARGE)], **options)
+                 (0.1, -0.05, 0.1), D, N_LARGE),
+        injector((0.005, 1.1e-3, 0.006), (0.095, 1.1e-3, 0.094), 150,
+                 (0.1, -0.05, 0.1), 1e-5, N_SMALL)], **options)
     mesh(case)
     return case
 
@@ -324,6 +329,18 @@ def state(case, time="0.4", spin="angularMomentum"):
     return ids, released, fields, layers
 
 
+def layers_filled(s):
+    """Have parcels of both classes of sizes stuck, somewhere?"""
+    return all(any(s[3][f"layer{k}Number", w].any() for w in WALLS)
+               for k in (0, 1))
+
+
+def same_counters(a, b):
+    """Of all walls; the log has six digits."""
+    return all(np.allclose(p[k], q[k], rtol=1e-5, atol=0)
+               for p, q in zip(a, b) for k in p)
+
+
 def total_mass(s):
     N, d = s[2][2], s[2][1]
     area = {"x": 0.01/20, "y": 0.01/24, "z": 0.01/30}
@@ -344,10 +361,10 @@ def check_ranks():
     free = sum(c["detached particles"][0] for c in told)
     caught = sum(c["captured (number, mass)"][0] for c in told)
     n = len(reference[0])
-    injected = 900*N_LARGE*mass(D) + 300*N_SMALL*mass(1e-5)
+    injected = 900*N_LARGE*mass(D) + 450*N_SMALL*mass(1e-5)
     total, held = total_mass(reference)
     verdict("box_runs", hits > 2000 and met > 50 and free > 0 and caught > 100
-            and reference[1].any(),
+            and reference[1].any() and layers_filled(reference),
             f"{hits:.0f} hits, {met:.0f} on adhered particles, {caught:.0f}"
             f" captured, {free:.3g} particles set free, {n} parcels left,"
             f" {reference[1].sum()} of them from the walls")
@@ -368,16 +385,15 @@ def check_ranks():
     same = [len(reference[0]) == len(got[0])
             and np.array_equal(reference[0], got[0])
             and np.array_equal(reference[1], got[1])]
-    same += [same[0] and np.allclose(a, b, rtol=1e-9, atol=1e-12)
+    same += [same[0] and np.allclose(a, b, rtol=1e-9,
+                                     atol=1e-12*np.abs(a).max())
              for a, b in zip(reference[2], got[2])]
-    fields = all(np.allclose(reference[3][k], got[3][k], rtol=1e-12)
+    fields = all(np.allclose(reference[3][k], got[3][k], rtol=1e-12, atol=0)
                  for k in reference[3])
     verdict("ranks", all(same) and fields,
             f"parcels {same}, fields of the layer {fields}")
     two = [counters(log2, w) for w in WALLS]
-    verdict("ranks_counters", all(np.allclose(a[k], b[k], rtol=1e-5)
-                                  for a, b in zip(told, two) for k in a),
-            "the same")
+    verdict("ranks_counters", same_counters(told, two), "the same")
 
     half = closed("halfway", "jkrAdhesion", settings, end=0.2)
     solve(half)
@@ -392,9 +408,7 @@ def check_ranks():
     verdict("restart", all(same) and fields,
             f"parcels bit by bit {same}, fields of the layer {fields}")
     again = [counters(log3, w) for w in WALLS]
-    verdict("restart_counters", all(np.allclose(a[k], b[k], rtol=1e-5)
-                                    for a, b in zip(told, again) for k in a),
-            "the same")
+    verdict("restart_counters", same_counters(told, again), "the same")
 
     nested = closed("nested", "multiInteraction", f"""
 oneInteractionOnly true;
@@ -409,9 +423,7 @@ second {{ patchInteractionModel jkrAdhesion; jkrAdhesionCoeffs {{
             and all(np.array_equal(reference[3][k], got[3][k])
                     for k in reference[3]))
     four = [counters(log4, w) for w in WALLS]
-    verdict("multiInteraction", same
-            and all(np.allclose(a[k], b[k], rtol=1e-5)
-                    for a, b in zip(told, four) for k in a),
+    verdict("multiInteraction", same and same_counters(told, four),
             f"two models of one layer: parcels and layer the same {same}")
 
     # Other classes than those of the layer that is read
@@ -419,8 +431,9 @@ second {{ patchInteractionModel jkrAdhesion; jkrAdhesionCoeffs {{
          "sizeClasses ()")
     edit("halfway", "system/controlDict", "endTime 0.4", "endTime 0.5")
     status, text = run("halfway", SOLVER)
-    verdict("refuses_otherClasses", status and "sizeClasses" in text
-            and "layer of time" in text, complaint(text))
+    said = complaint(text)
+    verdict("refuses_otherClasses", status and "sizeClasses" in said
+            and "layer of time" in said, said)
 
 
 # ------------------------------------------------------------------ bad input
@@ -493,13 +506,7 @@ b {{ patchInteractionModel jkrAdhesion; jkrAdhesionCoeffs {{
             edit(case, f"constant/{CLOUD}Properties", "transient yes;",
                  "transient no; calcFrequency 1; maxTrackTime 1;")
         mesh(case)
-        status, text = run(case, SOLVER)
-        missing = [w for w in ["FOAM FATAL IO ERROR", *words]
-                   if w not in text]
-        verdict(f"refuses_{name}", status and not missing
-                and "\nTime = " not in text,
-                f"lacks {missing} in: {complaint(text)}" if missing
-                else words[0])
+        refuses(f"refuses_{name}", run(case, SOLVER), words)
 
     # A speed beyond the data of alpha(e) comes up during the run only
     law = ("alpha { type polynomial; coeffs (0.5 -0.2); range (0 0.3); }"
@@ -512,7 +519,8 @@ b {{ patchInteractionModel jkrAdhesion; jkrAdhesionCoeffs {{
         mesh(case)
         status, text = run(case, SOLVER)
         good = (status == 0 if outside == "hold" else status
-                and "up to e = 0.3" in text and "50 m/s" in text)
+                and "up to e = 0.3" in complaint(text)
+                and "50 m/s" in complaint(text))
         if outside == "hold" and good:
             U = all_parcels(case, "0.0004", "U")[2][0]
             e = restitution(0.44, 50/separation_speed(D))
