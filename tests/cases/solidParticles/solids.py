@@ -53,7 +53,8 @@ verdict("rebound_exact", len(y) == 80 and worst < 1e-6
         f"{len(y)} particles, greatest deviation {worst:.1e} of position and"
         f" velocity, speeds down to {np.abs(v).min():.3g} of 50 m/s")
 verdict("rebound_sizes", np.allclose(
-    b["d"], np.where(b["group"] == 0, 3e-6, 6e-6)), "diameters")
+    b["d"], np.where(b["group"] == 0, 3e-6, 6e-6), rtol=1e-12, atol=0),
+        "diameters")
 
 # --- a steady beam onto a wall that keeps what arrives, and its means
 types = dict(PERIODIC, xMin="patch", xMax="wall")
