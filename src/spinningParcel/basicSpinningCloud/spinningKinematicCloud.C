@@ -11,7 +11,6 @@ Description
 
 namespace Foam
 {
-    defineTemplateTypeNameAndDebug(basicSpinningParcel, 0);
     defineTemplateTypeNameAndDebug(Cloud<basicSpinningParcel>, 0);
 }
 

@@ -2,75 +2,13 @@
     parcelImpact. License: GPL-3.0-or-later, see COPYING.
 \*---------------------------------------------------------------------------*/
 
-#include "EventDrivenCollisions.H"
+#include "eventDrivenCollisions.H"
 #include "NoDispersion.H"
-#include "checked.H"
-#include "reboundEntries.H"
 #include "wedgePolyPatch.H"
-#include "coupledPolyPatch.H"
-#include "cyclicAMIPolyPatch.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-template<class CloudType>
-impact::collisionDomain Foam::EventDrivenCollisions<CloudType>::domain
-(
-    const dictionary& dict,
-    const polyMesh& mesh
-)
-{
-    const boundBox& box = mesh.bounds();
-    Vector<label> periodic(Zero);
-    bool valid = true;
-    for (const polyPatch& pp : mesh.boundaryMesh())
-    {
-        valid = valid && !isA<cyclicAMIPolyPatch>(pp);
-        if (!isA<coupledPolyPatch>(pp) || pp.empty())
-        {
-            continue;
-        }
-        const coupledPolyPatch& cpp = refCast<const coupledPolyPatch>(pp);
-        valid = valid && cpp.parallel();
-        if (cpp.parallel() && cpp.separated())
-        {
-            const vector s(cpp.separation()[0]);
-            label axis = 0;
-            for (label k = 1; k < 3; ++k)
-            {
-                axis = mag(s[k]) > mag(s[axis]) ? k : axis;
-            }
-            periodic[axis] = 1;
-            valid =
-                valid
-             && mag(mag(s[axis]) - mag(s)) <= 1e-9*mag(s)
-             && mag(mag(s) - box.span()[axis]) <= 1e-9*mag(s);
-        }
-    }
-    reduce(periodic, maxOp<Vector<label>>());
-    reduce(valid, andOp<bool>());
-    if (!valid)
-    {
-        refuse
-        (
-            dict, "collisions", "eventDriven", "off on a mesh with cyclic"
-            " patches other than pairs of planes normal to a coordinate axis"
-            " at the ends of the domain"
-        );
-    }
-
-    impact::collisionDomain domain;
-    domain.low = toCore(box.min());
-    domain.high = toCore(box.max());
-    for (label k = 0; k < 3; ++k)
-    {
-        domain.periodic[k] = periodic[k];
-    }
-    return domain;
-}
-
-
-template<class CloudType>
-void Foam::EventDrivenCollisions<CloudType>::checkCloud() const
+void Foam::eventDrivenCollisions::checkCloud() const
 {
     const auto refuseHere =
         [&](const char* entry, const word& value, const char* range)
@@ -82,7 +20,7 @@ void Foam::EventDrivenCollisions<CloudType>::checkCloud() const
         };
     if
     (
-        !isA<NoDispersion<typename CloudType::kinematicCloudType>>
+        !isA<NoDispersion<basicSpinningCloud::kinematicCloudType>>
             (cloud_.dispersion())
     )
     {
@@ -118,8 +56,7 @@ void Foam::EventDrivenCollisions<CloudType>::checkCloud() const
 }
 
 
-template<class CloudType>
-void Foam::EventDrivenCollisions<CloudType>::checkThickness() const
+void Foam::eventDrivenCollisions::checkThickness() const
 {
     // The number of real particles of a parcel refers to one thickness, and
     // parcels meet as circles in a plane: in a wedge neither holds
@@ -158,72 +95,15 @@ void Foam::EventDrivenCollisions<CloudType>::checkThickness() const
 }
 
 
-template<class CloudType>
-void Foam::EventDrivenCollisions<CloudType>::checkNumber
-(
-    const scalar n,
-    const scalar d,
-    const point& x
-) const
-{
-    const scalar slab = slabThickness_/d;
-    if
-    (
-        mag(n - 1) > 1e-6
-     && (dimension_ != 2 || mag(n - slab) > 1e-6*slab)
-    )
-    {
-        refuse
-        (
-            dict_, "nParticle", n, "1 with collisions",
-            dimension_ == 2
-          ? (" or slabThickness/d = " + Foam::name(slab)).c_str() : "",
-            ". The parcel has a diameter of ", d, " m and is at ", x,
-            " (one that has come off a layer stands for as many as the one"
-            " that struck it: layers of several sizes need three dimensions)"
-        );
-    }
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-template<class CloudType>
-Foam::EventDrivenCollisions<CloudType>::EventDrivenCollisions
+Foam::eventDrivenCollisions::eventDrivenCollisions
 (
-    CloudType& cloud,
+    basicSpinningCloud& cloud,
     const dictionary& dict
 )
 :
-    cloud_(cloud),
-    dict_(dict),
-    law_
-    (
-        checked
-        (
-            dict,
-            [&]
-            {
-                typedef impact::reboundCoefficient coefficient;
-                return impact::pairLaw
-                (
-                    reboundEntries::coefficient
-                    (
-                        dict, coefficient::restitutionQuantity(), scalar(0.9)
-                    ),
-                    reboundEntries::coefficient
-                    (
-                        dict, coefficient::frictionQuantity(), scalar(0.2)
-                    ),
-                    cloud.rotation(),
-                    getNumber
-                    (
-                        dict, "tangentialRestitution", "[-1, 1]", scalar(0)
-                    )
-                );
-            }
-        )
-    ),
+    injectedParcels(cloud, dict),
     restingLaw_
     (
         impact::reboundCoefficient::constant
@@ -232,36 +112,13 @@ Foam::EventDrivenCollisions<CloudType>::EventDrivenCollisions
         ),
         law_.friction(), law_.spin(), law_.tangentialRestitution()
     ),
-    duration_
-    (
-        getNumber
-        (
-            dict, "contactDuration", validRange::duration, scalar(1e-9)
-        )
-    ),
-    dimension_
-    (
-        getNumber<label>
-        (
-            dict, "dimension", "[2, 3]", label(cloud.mesh().nGeometricD())
-        )
-    ),
-    separate_
-    (
-        getWord(dict, "overlappingInjection", {"refuse", "separate"})
-     == "separate"
-    ),
-    step_(domain(dict, cloud.mesh()), duration_, maxEvents),
-    planned_(cloud),
-    bounds_(cloud.mesh().bounds()),
-    nKnown_(nActive())
+    step_(domain_, duration_, maxEvents)
 {
     const polyMesh& mesh = cloud.mesh();
     for (label k = 0; k < 3; ++k)
     {
         if (mesh.geometricD()[k] != 1)
         {
-            directions_[k] = 0;
             slabThickness_ = mesh.bounds().span()[k];
         }
     }
@@ -277,7 +134,6 @@ Foam::EventDrivenCollisions<CloudType>::EventDrivenCollisions
     slabThickness_ =
         getNumber(dict, "slabThickness", validRange::length, slabThickness_);
     checkCloud();
-    setPasses();
 
     Info<< "Selecting parcel collisions eventDriven: " << dimension_
         << " dimensions, restitution " << law_.restitution().describe()
@@ -287,7 +143,7 @@ Foam::EventDrivenCollisions<CloudType>::EventDrivenCollisions
     {
         territories_.reset
         (
-            new rankTerritories(mesh, step_.grid().domain(), directions_)
+            new rankTerritories(mesh, domain_, directions_)
         );
         Info<< "    Each of " << Pstream::nProcs() << " ranks orders the"
             << " events of its parcels, with those near it as its halo"
@@ -298,8 +154,7 @@ Foam::EventDrivenCollisions<CloudType>::EventDrivenCollisions
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-template<class CloudType>
-void Foam::EventDrivenCollisions<CloudType>::motion(trackingData& td)
+void Foam::eventDrivenCollisions::motion(trackingData& td)
 {
     td.part() = trackingData::tpLinearTrack;
     td_ = &td;
@@ -310,6 +165,10 @@ void Foam::EventDrivenCollisions<CloudType>::motion(trackingData& td)
     collect();
     admitInjected();
     planAll();
+    if (Pstream::parRun())
+    {
+        handOn();
+    }
 
     std::string failure;
     try
@@ -364,20 +223,11 @@ void Foam::EventDrivenCollisions<CloudType>::motion(trackingData& td)
             cloud_.deleteParticle(*f.parcel);
         }
     }
-    planned_.replayBlocks
-    (
-        [this](const label i)
-        {
-            return !freeMotions_[i].parcel || keptInBlock_[i];
-        }
-    );
-    cloud_.fill();
-    nKnown_ = nActive();
+    finish();
 }
 
 
-template<class CloudType>
-void Foam::EventDrivenCollisions<CloudType>::info()
+void Foam::eventDrivenCollisions::info()
 {
     FixedList<scalar, 9> step
     ({

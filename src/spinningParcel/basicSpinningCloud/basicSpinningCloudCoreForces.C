@@ -2,6 +2,8 @@
     parcelImpact. License: GPL-3.0-or-later, see COPYING.
 \*---------------------------------------------------------------------------*/
 
+#include "basicSpinningCloud.H"
+#include "checked.H"
 #include "CoreDragForce.H"
 #include "GravityForce.H"
 #include "MagnusForce.H"
@@ -18,8 +20,7 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-template<class CloudType>
-void Foam::SpinningCloud<CloudType>::setFrame
+void Foam::basicSpinningCloud::setFrame
 (
     const dictionary& coeffs,
     impact::secondaryForces& forces
@@ -35,13 +36,13 @@ void Foam::SpinningCloud<CloudType>::setFrame
     {
         const word name(coeffs.getOrDefault<word>(entry, entry));
         const auto* object =
-            this->mesh().template findObject<uniformDimensionedVectorField>
+            mesh().findObject<uniformDimensionedVectorField>
             (
                 name
             );
         IOobject header
         (
-            name, this->db().time().constant(), this->mesh(),
+            name, db().time().constant(), mesh(),
             IOobject::MUST_READ
         );
         if
@@ -92,8 +93,7 @@ void Foam::SpinningCloud<CloudType>::setFrame
 }
 
 
-template<class CloudType>
-void Foam::SpinningCloud<CloudType>::setRotatingFrame
+void Foam::basicSpinningCloud::setRotatingFrame
 (
     const dictionary& coeffs,
     impact::secondaryForces& forces
@@ -101,12 +101,12 @@ void Foam::SpinningCloud<CloudType>::setRotatingFrame
 {
     const word name("SRFProperties");
     const auto* model =
-        this->mesh().template findObject<SRF::SRFModel>(name);
+        mesh().findObject<SRF::SRFModel>(name);
     if (!model)
     {
         IOobject header
         (
-            name, this->db().time().constant(), this->mesh(),
+            name, db().time().constant(), mesh(),
             IOobject::MUST_READ
         );
         if (!header.typeHeaderOk<IOdictionary>(true))
@@ -115,7 +115,7 @@ void Foam::SpinningCloud<CloudType>::setRotatingFrame
                 << "particle force SRF: there is no file constant/" << name
                 << exit(FatalIOError);
         }
-        model = &regIOobject::store(SRF::SRFModel::New(this->U()).ptr());
+        model = &regIOobject::store(SRF::SRFModel::New(U()).ptr());
     }
     if (forces.framed())
     {
@@ -129,15 +129,14 @@ void Foam::SpinningCloud<CloudType>::setRotatingFrame
 }
 
 
-template<class CloudType>
-typename Foam::SpinningCloud<CloudType>::coreForces
-Foam::SpinningCloud<CloudType>::coreForcesOf()
+Foam::basicSpinningCloud::coreForces
+Foam::basicSpinningCloud::coreForcesOf()
 {
     typedef CoreDragForce<kinematicCloudType> dragType;
     static const impact::sphereDrag stockDrag;
 
     coreForces core;
-    for (const auto& force : this->forces())
+    for (const auto& force : forces())
     {
         if (isA<MagnusForce<kinematicCloudType>>(force))
         {

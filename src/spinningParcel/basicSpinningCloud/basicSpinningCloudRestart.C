@@ -2,16 +2,17 @@
     parcelImpact. License: GPL-3.0-or-later, see COPYING.
 \*---------------------------------------------------------------------------*/
 
+#include "basicSpinningCloud.H"
+#include "checked.H"
 #include "IFstream.H"
 #include "rankMail.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-template<class CloudType>
-void Foam::SpinningCloud<CloudType>::readFlights()
+void Foam::basicSpinningCloud::readFlights()
 {
-    IOobject xHeader(this->fieldIOobject(exactPosition, IOobject::MUST_READ));
-    IOobject cellHeader(this->fieldIOobject(convexCell, IOobject::MUST_READ));
+    IOobject xHeader(fieldIOobject(exactPosition, IOobject::MUST_READ));
+    IOobject cellHeader(fieldIOobject(convexCell, IOobject::MUST_READ));
     const bool there =
         embedded_.valid()
      && xHeader.typeHeaderOk<IOField<vector>>(false)
@@ -22,8 +23,8 @@ void Foam::SpinningCloud<CloudType>::readFlights()
     }
     IOField<vector> x(xHeader);
     IOField<label> cell(cellHeader);
-    this->checkFieldIOobject(*this, x);
-    this->checkFieldIOobject(*this, cell);
+    checkFieldIOobject(*this, x);
+    checkFieldIOobject(*this, cell);
     label i = 0;
     for (parcelType& p : *this)
     {
@@ -33,7 +34,7 @@ void Foam::SpinningCloud<CloudType>::readFlights()
             ++i;
             continue;
         }
-        const scalar reach = 1e-9*cbrt(this->mesh().cellVolumes()[p.cell()]);
+        const scalar reach = 1e-9*cbrt(mesh().cellVolumes()[p.cell()]);
 
         // Cells have other numbers on another decomposition. In warped cells
         // the stock's coordinates may not reach the place
@@ -53,8 +54,7 @@ void Foam::SpinningCloud<CloudType>::readFlights()
 }
 
 
-template<class CloudType>
-void Foam::SpinningCloud<CloudType>::checkTemperatures()
+void Foam::basicSpinningCloud::checkTemperatures()
 {
     label without = 0;
     for (parcelType& p : *this)
@@ -72,7 +72,7 @@ void Foam::SpinningCloud<CloudType>::checkTemperatures()
         else if (!(T > 0 && T < 1e8))
         {
             FatalErrorInFunction
-                << "File " << this->fieldIOobject("T", IOobject::NO_READ)
+                << "File " << fieldIOobject("T", IOobject::NO_READ)
                    .objectPath()
                 << " has a temperature of " << T << " K: valid range "
                 << validRange::temperature << exit(FatalError);
@@ -87,11 +87,10 @@ void Foam::SpinningCloud<CloudType>::checkTemperatures()
 }
 
 
-template<class CloudType>
-void Foam::SpinningCloud<CloudType>::checkPlaces() const
+void Foam::basicSpinningCloud::checkPlaces() const
 {
     // The places are written besides the coordinates in the cells
-    IOobject header(this->fieldIOobject("positions", IOobject::MUST_READ));
+    IOobject header(fieldIOobject("positions", IOobject::MUST_READ));
     pointField x;
     if (header.typeHeaderOk<cloud>(false))
     {
@@ -128,7 +127,7 @@ void Foam::SpinningCloud<CloudType>::checkPlaces() const
 
     // (those that other programs have written may be of other parcels)
     label nElsewhere = 0;
-    if (x.size() == this->size())
+    if (x.size() == size())
     {
         label i = 0;
         for (const parcelType& p : *this)
@@ -137,7 +136,7 @@ void Foam::SpinningCloud<CloudType>::checkPlaces() const
             {
                 // (round values of text may be rounder than cells are wide)
                 const scalar near =
-                    cbrt(this->mesh().cellVolumes()[p.cell()])
+                    cbrt(mesh().cellVolumes()[p.cell()])
                   + 1e-5*mag(x[i]);
                 nElsewhere += mag(x[i] - p.position()) > near;
             }
@@ -145,7 +144,7 @@ void Foam::SpinningCloud<CloudType>::checkPlaces() const
         }
     }
     reduce(nElsewhere, sumOp<label>());
-    const label nAll = returnReduce(this->size(), sumOp<label>());
+    const label nAll = returnReduce(size(), sumOp<label>());
     if (nElsewhere > nAll/2)
     {
         FatalErrorInFunction
@@ -159,8 +158,7 @@ void Foam::SpinningCloud<CloudType>::checkPlaces() const
 }
 
 
-template<class CloudType>
-void Foam::SpinningCloud<CloudType>::checkIdentities()
+void Foam::basicSpinningCloud::checkIdentities()
 {
     // To the rank that an identity falls to, which learns of two of one
     struct carrier
@@ -265,7 +263,7 @@ void Foam::SpinningCloud<CloudType>::checkIdentities()
         }
     }
     WarningInFunction
-        << "Cloud " << this->name() << ": " << n << " parcels have no origId"
+        << "Cloud " << name() << ": " << n << " parcels have no origId"
         << " of their own (foamFormatConvert takes all of them away; other"
         << " clouds mapped or added to this one repeat them) and are numbered"
         << " anew." << nl

@@ -2,20 +2,22 @@
     parcelImpact. License: GPL-3.0-or-later, see COPYING.
 \*---------------------------------------------------------------------------*/
 
+#include "BlockMotion.H"
+#include "checked.H"
+#include "eventDrivenCollisions.H"
 #include "SaffmanMeiLiftForce.H"
 
 #include <limits>
 
 // * * * * * * * * * * * * * * * * Local Classes * * * * * * * * * * * * * * //
 
-template<class CloudType>
-class Foam::SpinningCloud<CloudType>::settled
+class Foam::basicSpinningCloud::settled
 {
-    const SpinningCloud& cloud_;
+    const basicSpinningCloud& cloud_;
 
 public:
 
-    explicit settled(const SpinningCloud& cloud)
+    explicit settled(const basicSpinningCloud& cloud)
     :
         cloud_(cloud)
     {
@@ -40,8 +42,7 @@ public:
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-template<class CloudType>
-void Foam::SpinningCloud<CloudType>::checkEmbedded()
+void Foam::basicSpinningCloud::checkEmbedded()
 {
     const dictionary& solution = this->solution().dict();
 
@@ -53,7 +54,7 @@ void Foam::SpinningCloud<CloudType>::checkEmbedded()
     const word scheme = getWord(schemes, U, cellGas::schemes);
     const wordList gas
     {
-        this->rho().name(), U, this->mu().name(), "T", "halfCurl(" + U + ')'
+        rho().name(), U, mu().name(), "T", "halfCurl(" + U + ')'
     };
     wordList valid(gas);
     valid.append
@@ -65,7 +66,7 @@ void Foam::SpinningCloud<CloudType>::checkEmbedded()
         const bool known =
             e.keyword().isPattern()
          || valid.found(e.keyword())
-         || this->mesh().objectRegistry::found(e.keyword());
+         || mesh().objectRegistry::found(e.keyword());
         if (!known)
         {
             unknownWord(schemes, "field", e.keyword(), valid);
@@ -87,7 +88,7 @@ void Foam::SpinningCloud<CloudType>::checkEmbedded()
             schemes.add(name, scheme);
         }
     }
-    gas_.reset(new cellGas(this->mesh(), scheme));
+    gas_.reset(new cellGas(mesh(), scheme));
 
     if (solution.found("deltaTMax"))
     {
@@ -105,18 +106,17 @@ void Foam::SpinningCloud<CloudType>::checkEmbedded()
             "off with motion embeddedRK54"
         );
     }
-    if (this->mesh().dynamic())
+    if (mesh().dynamic())
     {
         refuse(solution, "motion", "embeddedRK54", "stock on a moving mesh");
     }
 }
 
 
-template<class CloudType>
-void Foam::SpinningCloud<CloudType>::updateCurl()
+void Foam::basicSpinningCloud::updateCurl()
 {
     bool lift = false;
-    for (const auto& force : this->forces())
+    for (const auto& force : forces())
     {
         lift = lift || isA<SaffmanMeiLiftForce<kinematicCloudType>>(force);
     }
@@ -125,15 +125,15 @@ void Foam::SpinningCloud<CloudType>::updateCurl()
         return;
     }
 
-    halfCurl_ = &cellGas::halfCurl(this->U());
-    if (halfCurl_->eventNo() == halfCurlEvent_ && !this->mesh().changing())
+    halfCurl_ = &cellGas::halfCurl(U());
+    if (halfCurl_->eventNo() == halfCurlEvent_ && !mesh().changing())
     {
         return;
     }
     halfCurlEvent_ = halfCurl_->eventNo();
 
-    const dictionary& schemes = this->solution().interpolationSchemes();
-    const word UScheme(schemes.get<word>(this->U().name()));
+    const dictionary& schemes = solution().interpolationSchemes();
+    const word UScheme(schemes.get<word>(U().name()));
     halfCurlInterp_.clear();
     halfCurlInterp_.reset
     (
@@ -146,8 +146,7 @@ void Foam::SpinningCloud<CloudType>::updateCurl()
 }
 
 
-template<class CloudType>
-void Foam::SpinningCloud<CloudType>::prepareMotion()
+void Foam::basicSpinningCloud::prepareMotion()
 {
     if (!embedded_.valid())
     {
@@ -162,11 +161,11 @@ void Foam::SpinningCloud<CloudType>::prepareMotion()
      && (core.secondary.pressureGradient || core.secondary.virtualMass > 0);
     gas_->update
     (
-        this->U(), halfCurl_, this->rho(), this->mu(), T, changing
+        U(), halfCurl_, rho(), mu(), T, changing
     );
     if (eddies_.valid())
     {
-        eddies_->update(this->solution().trackTime());
+        eddies_->update(solution().trackTime());
     }
 
     // Ends and walls are all that these functions look at
@@ -176,7 +175,7 @@ void Foam::SpinningCloud<CloudType>::prepareMotion()
         "particleErosion", "patchPostProcessing"
     };
     watched_ = false;
-    for (const auto& function : this->functions())
+    for (const auto& function : functions())
     {
         watched_ = watched_ || !ofWalls.found(function.type());
     }
@@ -212,27 +211,26 @@ void Foam::SpinningCloud<CloudType>::prepareMotion()
                 core.gammaR,
                 core.magnus && rotation_,
                 torque_ && rotation_,
-                toCore(core.gravity ? this->g().value() : vector::zero),
+                toCore(core.gravity ? g().value() : vector::zero),
                 counts_
             ),
             core.secondary,
-            this->mesh()
+            mesh()
         )
     );
 }
 
 
-template<class CloudType>
 template<class Force>
-void Foam::SpinningCloud<CloudType>::changeGas
+void Foam::basicSpinningCloud::changeGas
 (
     Force& force,
-    typename parcelType::trackingData& td
+    parcelType::trackingData& td
 )
 {
     typedef typename Force::state State;
-    const scalar dt = this->solution().trackTime();
-    const polyMesh& mesh = this->mesh();
+    const scalar dt = solution().trackTime();
+    const fvMesh& mesh = this->mesh();
     exchanges_.assign(mesh.nCells(), impact::jointExchange());
     cellGas::field store;
     const auto add = [&](parcelType& p)
@@ -273,16 +271,16 @@ void Foam::SpinningCloud<CloudType>::changeGas
             );
         }
     };
-    if (this->arrays().size())
+    if (arrays().size())
     {
-        std::unique_ptr<parcelType> p(this->objectOf(0));
-        for (label i = 0; i < this->arrays().size(); ++i)
+        std::unique_ptr<parcelType> p(objectOf(0));
+        for (label i = 0; i < arrays().size(); ++i)
         {
-            this->arrays().show(i, cells(), *p);
+            arrays().show(i, cells(), *p);
             add(*p);
         }
     }
-    for (parcelType& p : this->objects())
+    for (parcelType& p : objects())
     {
         if (p.active())
         {
@@ -292,18 +290,17 @@ void Foam::SpinningCloud<CloudType>::changeGas
     changes_.resize(mesh.nCells());
     forAll(mesh.cells(), celli)
     {
-        const scalar M = this->rho()[celli]*this->mesh().V()[celli];
+        const scalar M = rho()[celli]*mesh.V()[celli];
         changes_[celli] =
             exchanges_[celli](M, heat_.valid() ? M*heat_->Cv() : 0);
     }
-    gas_->change(this->U(), changes_);
+    gas_->change(U(), changes_);
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-template<class CloudType>
-void Foam::SpinningCloud<CloudType>::writeFields() const
+void Foam::basicSpinningCloud::writeFields() const
 {
     {
         const settled now(*this);
@@ -325,7 +322,7 @@ void Foam::SpinningCloud<CloudType>::writeFields() const
     // Coordinates round off where a parcel is: with these a run that goes on
     // from here is the same to the last bit, if all bits are written
     const bool exact =
-        this->db().time().writeFormat() == IOstream::BINARY
+        db().time().writeFormat() == IOstream::BINARY
      || IOstream::defaultPrecision()
      >= unsigned(std::numeric_limits<scalar>::max_digits10);
     if (!exact)
@@ -343,49 +340,45 @@ void Foam::SpinningCloud<CloudType>::writeFields() const
 }
 
 
-template<class CloudType>
-void Foam::SpinningCloud<CloudType>::writeObjects(objectRegistry& obr) const
+void Foam::basicSpinningCloud::writeObjects(objectRegistry& obr) const
 {
     const settled now(*this);
-    CloudType::writeObjects(obr);
+    kinematicCloudType::writeObjects(obr);
 }
 
 
-template<class CloudType>
-void Foam::SpinningCloud<CloudType>::preEvolve
+void Foam::basicSpinningCloud::preEvolve
 (
     FOAM_COMPAT_EVOLVE_ARGS(parcelType)
 )
 {
-    CloudType::preEvolve(FOAM_COMPAT_EVOLVE_PASS);
+    kinematicCloudType::preEvolve(FOAM_COMPAT_EVOLVE_PASS);
     prepareMotion();
     if (inArrays())
     {
         // What is injected comes behind what there is
-        this->pack(cells());
-        this->packAdded(cells(), true);
+        pack(cells());
+        packAdded(cells(), true);
     }
 }
 
 
-template<class CloudType>
-template<class TrackCloudType>
-void Foam::SpinningCloud<CloudType>::motion
+void Foam::basicSpinningCloud::motion
 (
-    TrackCloudType& cloud,
-    typename parcelType::trackingData& td
+    basicSpinningCloud& cloud,
+    parcelType::trackingData& td
 )
 {
     inMotion_ = true;
     if (inArrays())
     {
-        this->packAdded(cells(), false);
+        packAdded(cells(), false);
     }
     else
     {
-        this->unpack();
+        unpack();
     }
-    if (embedded_.valid() && this->solution().coupled() && gasResponds_)
+    if (embedded_.valid() && solution().coupled() && gasResponds_)
     {
         withForce([&](auto& force) { changeGas(force, td); });
     }
@@ -393,35 +386,36 @@ void Foam::SpinningCloud<CloudType>::motion
     if (collisions_.valid())
     {
         collisions_->motion(td);
-        this->updateCellOccupancy();
+        updateCellOccupancy();
     }
     else if (inArrays())
     {
         // Those that stick to walls step aside for those that go on one by one
         IDLList<parcelType> inactive;
-        inactive.transfer(this->objects());
+        inactive.transfer(objects());
         for (parcelType& p : inactive)
         {
             p.stepFraction() = 1;
-            p.age() += this->solution().trackTime();
+            p.age() += solution().trackTime();
         }
         moveInBlocks
         (
-            [&](const label i, const typename parcelType::begun& begun)
+            *this,
+            [&](const label i, const parcelType::begun& begun)
             {
-                leaveBegun(*this->take(i), begun);
+                leaveBegun(*take(i), begun);
             }
         );
-        this->fill();
-        CloudType::motion(cloud, td);
+        fill();
+        kinematicCloudType::motion(cloud, td);
         while (inactive.size())
         {
-            this->objects().append(inactive.removeHead());
+            objects().append(inactive.removeHead());
         }
     }
     else
     {
-        CloudType::motion(cloud, td);
+        kinematicCloudType::motion(cloud, td);
     }
     inMotion_ = false;
 }

@@ -2,8 +2,9 @@
     parcelImpact. License: GPL-3.0-or-later, see COPYING.
 \*---------------------------------------------------------------------------*/
 
-#include "SpinningCloud.H"
+#include "basicSpinningCloud.H"
 #include "checked.H"
+#include "eventDrivenCollisions.H"
 #include "MagnusForce.H"
 #include "NonInertialFrameForce.H"
 #include "StochasticDispersion.H"
@@ -15,8 +16,7 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-template<class CloudType>
-void Foam::SpinningCloud<CloudType>::setModels()
+void Foam::basicSpinningCloud::setModels()
 {
     const dictionary& solution = this->solution().dict();
     stockCloudEntries::checkSolution
@@ -38,7 +38,7 @@ void Foam::SpinningCloud<CloudType>::setModels()
     wordList properties({"omega0"});
     wordList models({"rotationalTorqueModel"});
     const dictionary& constants =
-        this->particleProperties().subDict("constantProperties");
+        particleProperties().subDict("constantProperties");
     if (solution.found("heatTransfer"))
     {
         properties.append(heatTransfer::properties);
@@ -58,13 +58,13 @@ void Foam::SpinningCloud<CloudType>::setModels()
         }
     }
     stockCloudEntries::checkProperties(constants, properties);
-    stockCloudEntries::checkModels(this->subModelProperties(), models);
+    stockCloudEntries::checkModels(subModelProperties(), models);
     rotation_ = solution.lookupOrDefault<Switch>("rotation", true);
     const word torque
     (
         getWordOf
         (
-            this->subModelProperties(), "rotationalTorqueModel",
+            subModelProperties(), "rotationalTorqueModel",
             "rotationalTorque", {"none", "rotationalTorque"}
         )
     );
@@ -116,7 +116,7 @@ void Foam::SpinningCloud<CloudType>::setModels()
         }
         heat_.reset
         (
-            new heatTransfer(this->particleProperties(), this->mesh())
+            new heatTransfer(particleProperties(), mesh())
         );
         heat_->update();
         wallImpacts::New(*this).setMaterial(heat_->material());
@@ -124,51 +124,51 @@ void Foam::SpinningCloud<CloudType>::setModels()
     }
     else if
     (
-        this->subModelProperties().isDict("heatTransferModel")
-     || this->subModelProperties().template getOrDefault<word>
+        subModelProperties().isDict("heatTransferModel")
+     || subModelProperties().getOrDefault<word>
         (
             "heatTransferModel", "none"
         ) != "none"
     )
     {
         // Right or refused, though switched off
-        heatTransfer(this->particleProperties(), this->mesh());
+        heatTransfer(particleProperties(), mesh());
     }
 
-    if (isA<StochasticDispersion<kinematicCloudType>>(this->dispersion()))
+    if (isA<StochasticDispersion<kinematicCloudType>>(dispersion()))
     {
         if (!embedded_.valid())
         {
             refuse
             (
-                this->subModelProperties(), "dispersionModel",
-                this->subModelProperties().template get<word>
+                subModelProperties(), "dispersionModel",
+                subModelProperties().get<word>
                     ("dispersionModel"),
                 "none with motion stock, this with motion embeddedRK54"
             );
         }
         eddies_.reset
         (
-            new turbulentDispersion(this->U(), this->subModelProperties())
+            new turbulentDispersion(U(), subModelProperties())
         );
     }
 
-    this->arrays().follow(rotation_, heat_.valid(), eddies_.valid());
+    arrays().follow(rotation_, heat_.valid(), eddies_.valid());
     Info<< "Parcels of ";
     if (embedded_.valid())
     {
-        Info<< this->arrays().bytes() << " bytes in arrays, as objects of ";
+        Info<< arrays().bytes() << " bytes in arrays, as objects of ";
     }
     Info<< label(sizeof(parcelType)) << " bytes" << endl;
     impact::secondaryForces frame;
-    for (const auto& force : this->forces())
+    for (const auto& force : forces())
     {
         if (isA<NonInertialFrameForce<kinematicCloudType>>(force))
         {
             setFrame(force.coeffs(), frame);
         }
     }
-    for (const auto& force : this->forces())
+    for (const auto& force : forces())
     {
         if (isA<SRFForce<kinematicCloudType>>(force))
         {
@@ -199,8 +199,7 @@ void Foam::SpinningCloud<CloudType>::setModels()
 }
 
 
-template<class CloudType>
-void Foam::SpinningCloud<CloudType>::setCollisions()
+void Foam::basicSpinningCloud::setCollisions()
 {
     const dictionary& solution = this->solution().dict();
     const dictionary* coeffs = solution.findDict("collisions");
@@ -215,7 +214,7 @@ void Foam::SpinningCloud<CloudType>::setCollisions()
     {
         collisions_.reset
         (
-            new EventDrivenCollisions<spinningCloudType>
+            new eventDrivenCollisions
             (
                 *this,
                 coeffs ? *coeffs : dictionary(solution, dictionary())
@@ -227,8 +226,7 @@ void Foam::SpinningCloud<CloudType>::setCollisions()
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-template<class CloudType>
-Foam::SpinningCloud<CloudType>::SpinningCloud
+Foam::basicSpinningCloud::basicSpinningCloud
 (
     const word& cloudName,
     const volScalarField& rho,
@@ -238,27 +236,27 @@ Foam::SpinningCloud<CloudType>::SpinningCloud
     bool readFields
 )
 :
-    CloudType(cloudName, rho, U, mu, g, false),
+    kinematicCloudType(cloudName, rho, U, mu, g, false),
     ETrans_
     (
         new volScalarField::Internal
         (
             IOobject
             (
-                this->name() + ":ETrans",
-                this->db().time().timeName(),
-                this->db(),
+                name() + ":ETrans",
+                db().time().timeName(),
+                db(),
                 IOobject::READ_IF_PRESENT,
-                this->solution().coupled()
+                solution().coupled()
               ? IOobject::AUTO_WRITE
               : IOobject::NO_WRITE
             ),
-            this->mesh(),
+            mesh(),
             dimensionedScalar(dimEnergy, Zero)
         )
     )
 {
-    if (this->solution().active())
+    if (solution().active())
     {
         setModels();
 
@@ -267,42 +265,62 @@ Foam::SpinningCloud<CloudType>::SpinningCloud
             parcelType::readFields(*this);
             checkPlaces();
             readFlights();
-            this->deleteLostParticles();
+            deleteLostParticles();
             checkTemperatures();
             checkIdentities();
         }
         setCollisions();
     }
 
-    if (this->solution().resetSourcesOnStartup())
+    if (solution().resetSourcesOnStartup())
     {
         resetSourceTerms();
     }
 }
 
 
-template<class CloudType>
-Foam::SpinningCloud<CloudType>::SpinningCloud
+Foam::basicSpinningCloud::basicSpinningCloud
 (
     const fvMesh& mesh,
     const word& name,
-    const SpinningCloud<CloudType>& c
+    const basicSpinningCloud& c
 )
 :
-    CloudType(mesh, name, c),
+    kinematicCloudType(mesh, name, c),
     rotation_(c.rotation_)
 {}
 
 
+Foam::basicSpinningCloud::~basicSpinningCloud() = default;
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-template<class CloudType>
-void Foam::SpinningCloud<CloudType>::info()
+Foam::scalar Foam::basicSpinningCloud::nRefused() const
+{
+    return collisions_.valid() ? collisions_->nRefused() : 0;
+}
+
+
+void Foam::basicSpinningCloud::evolve()
+{
+    if (solution().canEvolve())
+    {
+        // The tracking data refer to it
+        updateCurl();
+        parcelType::trackingData td(*this);
+
+        solve(*this, td);
+    }
+}
+
+
+void Foam::basicSpinningCloud::info()
 {
     if (withheldOutput::now())
     {
         // What counts the steps, without the sums over all parcels
-        foamCompat::info(this->patchInteraction());
+        foamCompat::info(patchInteraction());
         if (collisions_.valid())
         {
             collisions_->info();
@@ -310,7 +328,7 @@ void Foam::SpinningCloud<CloudType>::info()
         return;
     }
 
-    CloudType::info();
+    kinematicCloudType::info();
 
     const auto total = [](const scalar x)
     {
@@ -340,7 +358,7 @@ void Foam::SpinningCloud<CloudType>::info()
     if (heat_.valid())
     {
         const Pair<scalar> now(heatOfSystem());
-        const scalar mass = total(this->massInSystem());
+        const scalar mass = total(massInSystem());
 
         // An account closes to round-off with all its digits only
         const int digits = Sout.precision(IOstream::defaultPrecision());
@@ -379,7 +397,7 @@ void Foam::SpinningCloud<CloudType>::info()
             warnedOfForced_ = true;
             WarningInFunction
                 << 100*forced/time << " % of the time of the parcels of "
-                << this->name() << " has been followed without error control: "
+                << name() << " has been followed without error control: "
                 << stepToFace::maxForces << " evaluations of the forces between"
                 << " two faces of cells were not enough" << nl
                 << "    Set a larger tolerance of the motion, or a smaller"
