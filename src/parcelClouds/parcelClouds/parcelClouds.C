@@ -311,14 +311,3 @@ Foam::scalar Foam::parcelClouds::cpuTime() const
     }
     return returnReduce(sum, sumOp<scalar>());
 }
-
-
-Foam::scalar Foam::parcelClouds::nParcelSteps() const
-{
-    scalar sum = 0;
-    forAll(clouds_, i)
-    {
-        sum += clouds_[i].nParcelSteps();
-    }
-    return returnReduce(sum, sumOp<scalar>());
-}

@@ -357,14 +357,20 @@ void Foam::basicSpinningCloud::info()
     }
     if (heat_.valid())
     {
-        const Pair<scalar> now(heatOfSystem());
+        scalar enthalpy = 0, massTimesT = 0;
+        for (const parcelType& p : *this)
+        {
+            const scalar mass = p.nParticle()*p.mass();
+            enthalpy += mass*heat_->material().h(p.temperature());
+            massTimesT += mass*p.temperature();
+        }
         const scalar mass = total(massInSystem());
 
         // An account closes to round-off with all its digits only
         const int digits = Sout.precision(IOstream::defaultPrecision());
         Info<< "    Mean temperature                = "
-            << total(now.second())/max(mass, VSMALL) << nl
-            << "    Enthalpy                        = " << total(now.first())
+            << total(massTimesT)/max(mass, VSMALL) << nl
+            << "    Enthalpy                        = " << total(enthalpy)
             << nl
             << "    Heat from the gas, radiated     = "
             << total(statistics_.heat) << ", " << total(statistics_.radiated)
