@@ -66,15 +66,16 @@ after = re.search(r"Gas: steady after (\d+)", log)
 verdict("bend_steady", after and int(after[1]) < 600,
         f"steady after {after[1] if after else 'no'} iterations, bound 600")
 
-bend("closer", 1e-8)
-bend("ranks", 1e-8)
-decompose("ranks", (1, 2, 1))
-logs = [solve("closer"), solve("ranks", 2)]
-must("ranks", "reconstructPar")
+bend("bendCloser", 1e-8)
+bend("bendRanks", 1e-8)
+decompose("bendRanks", (1, 2, 1))
+logs = [solve("bendCloser"), solve("bendRanks", 2)]
+must("bendRanks", "reconstructPar")
 NAMES = "p T U k omega nut"
 # (meshWave's distance from a curved wall depends on the ranks, and with it the
 # eddies)
-fields = [last_fields(case, NAMES) for case in ("closer", "bend", "ranks")]
+fields = [last_fields(case, NAMES)
+          for case in ("bendCloser", "bend", "bendRanks")]
 for name, others, bounds in (("residual_suffices", fields[1], (1e-3, 5e-3)),
                              ("two_ranks", fields[2], (1e-4, 1e-3))):
     d = [abs(a - b).max()/np.ptp(b) for a, b in zip(others, fields[0])]
