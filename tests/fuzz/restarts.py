@@ -74,7 +74,7 @@ def molecules(case):
 
 
 def dust(case):
-    """Grains, a layer on the wall and averages of impacts."""
+    """Grains in flight, others in a layer on the wall, averages of impacts."""
     gas_case(case, {"mode": "frozen"}, 3)
     edit(case, "system/controlDict", "endTime 3e-06", "endTime 6e-06")
     write_foam(case, "constant/parcelClouds", "clouds (dust);")
@@ -83,6 +83,10 @@ def dust(case):
                      ("(0.03 0.04 0)", "(0.07 1e-6 0)"),
                      ("(1797 0 0)", "(0 -1 0)")):
         text = text.replace(old, new)
+    text += """
+subModels { injectionModels { flying { type rakeInjection; nParcels 3;
+    start (0.03 0.05 0); end (0.07 0.05 0); diameter 5e-6; U0 (1 0 0); } } }
+"""
     write_foam(case, "constant/dustProperties", text)
     return "rhoCentralParcelFoam"
 
@@ -112,8 +116,10 @@ for build, ranks in ((dust, 1), (dust, 2), (molecules, 1), (molecules, 2)):
     if TESTS and build is molecules:
         files = files[::3]      # of species much alike
     n, bad = 0, []
-    if len(files) < 4:
-        bad.append(f"the mark lists {len(files)} files")
+    cloud = "dust" if build is dust else "dsmc"
+    for name in f"lagrangian/{cloud}/positions", f"lagrangian/{cloud}/U":
+        if name not in listed(mark):
+            bad.append(f"the mark lists {len(files)} files, no {name}")
     for k, name in enumerate(files):
         # A test takes one damage of each file, in turn
         every = (remove, empty, halve, flip)
@@ -123,7 +129,8 @@ for build, ranks in ((dust, 1), (dust, 2), (molecules, 1), (molecules, 2)):
             status, text = run_quietly("trial", command)
             shutil.rmtree("trial")
             n += 1
-            if (not status or name not in text or "FOAM FATAL" not in text
+            if (not status or f'/{name}"' not in text
+                    or "FOAM FATAL" not in text
                     or "\nTime = " in text):
                 bad.append(f"{damage.__name__} {name}: {complaint(text)}")
     verdict(f"damaged files of a restart, {of}",
