@@ -181,7 +181,9 @@ def main():
               100*np.mean(np.abs(Tpp - Tpe)[near])/shock.T[0]]
     closed = abs(shock.u[-1]/far[0] - 1), abs(shock.T[-1]/far[1] - 1)
     cpu = re.findall(r"parcel-steps in ([\d.e+]+) CPU s", log)
-    verdict(name, largest(errors) < 0.5 and largest(closed) < 1e-3,
+    # (a twentieth more dust makes 0.3 to 1.3 % and a drift of 2 to 8 cells)
+    verdict(name, largest(errors) < 0.1 and abs(at/dx) < 0.5
+            and largest(closed) < 1e-3,
             "L1 of gas and grains: velocities %.3f, %.3f %% of u1, "
             "temperatures %.3f, %.3f %% of T2; the shock drifted by %.2f cells"
             " in one passage; relaxation length %.3g m, its end %.1e, %.1e"
