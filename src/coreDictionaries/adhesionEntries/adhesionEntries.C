@@ -122,16 +122,22 @@ std::vector<measuredImpact> readMeasured
 //- E* and w of two materials, or given as they are
 impact::adhesiveRebound::materials readMaterials(const dictionary& dict)
 {
-    if (dict.isDict("contact"))
+    if (const dictionary* contact = findBlock(dict, "contact"))
     {
         // Radius and mass are those of the parcel
-        const dictionary& contact = getBlock(dict, "contact");
-        refuseOthers(contact, {"modulus", "workOfAdhesion"});
+        refuseOthers(*contact, {"modulus", "workOfAdhesion"});
         return
         {
-            getNumber(contact, "modulus", validRange::modulus),
-            getNumber(contact, "workOfAdhesion", validRange::adhesion)
+            getNumber(*contact, "modulus", validRange::modulus),
+            getNumber(*contact, "workOfAdhesion", validRange::adhesion)
         };
+    }
+    if (!dict.found("particle") && !dict.found("workOfAdhesion"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry contact is missing" << nl
+            << "Valid: a block contact { modulus; workOfAdhesion; }, or blocks"
+            << " particle and wall with workOfAdhesion" << exit(FatalIOError);
     }
     const scalar w = getNumber(dict, "workOfAdhesion", validRange::adhesion);
     const dictionary& ofParticle = getBlock(dict, "particle");
@@ -229,6 +235,13 @@ impact::jkrContact Foam::adhesionEntries::contact
     );
     valid.append(others);
     refuseOthers(dict, valid);
+    if (!dict.found("radius") && !dict.found("particle"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry radius of a contact is missing" << nl
+            << "Valid: radius, modulus and mass of the contact, or blocks"
+            << " particle and wall or partner" << exit(FatalIOError);
+    }
     return checked(dict, [&]()
     {
         const scalar w =

@@ -160,6 +160,7 @@ void Foam::highSpeedGas::readSettings()
             "reportEvery", "viscous", "feedback"
         }
     );
+    findBlock(d, "feedback");   // is no word, also where nothing reads it
 
     mode_ = modeNames
     [
@@ -168,16 +169,19 @@ void Foam::highSpeedGas::readSettings()
     refuseTimeScheme();
 
     const bool steady = mode_ == modeType::steady;
-    const wordList schemes
-    (
-        mode_ == modeType::transient
-      ? wordList({"Euler", "RK2", "RK3"})
-      : wordList({"Euler", "RK2", "RK3", "implicit"})
-    );
+    const wordList schemes({"Euler", "RK2", "RK3", "implicit"});
     const label i = schemes.find
     (
         getWordOf(d, "scheme", steady ? "implicit" : "RK3", schemes)
     );
+    if (i == 3 && mode_ == modeType::transient)
+    {
+        unknownWord
+        (
+            d, "scheme", "implicit", {"Euler", "RK2", "RK3"},
+            " with mode transient, the default"
+        );
+    }
     implicit_ = i == 3;
     stages_ = implicit_ ? 3 : i + 1;
 

@@ -85,7 +85,9 @@ void findLibraries(const dictionary& dict)
                 << ' ' << model << nl
                 << model << " is in the library " << library.val().c_str()
                 << ": add libs (" << library.val().c_str()
-                << "); to system/controlDict" << exit(FatalIOError);
+                << "); to system/controlDict, or choose the cloud's type"
+                << " spinningKinematicCloud, which has it"
+                << exit(FatalIOError);
         }
     }
 }

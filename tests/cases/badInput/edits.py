@@ -243,6 +243,20 @@ def wedge(layers, shift=0.0):
     return change
 
 
+def changed(*edits):
+    """Several edits of the cloud of the sand."""
+    def change(case):
+        for old, new in edits:
+            edit(case, "constant/sandCloud", old, new)
+    return change
+
+
+def without_library(case):
+    """The stock cloud without the library of its drag."""
+    stock(case)
+    edit(case, "system/controlDict", "(parcelForces ", "(")
+
+
 RAS = "simulationType RAS; RAS { RASModel kOmegaSST; turbulence on; }"
 RAKE = "constant/rake50Properties"
 SAND = "constant/sand50Properties"
@@ -298,6 +312,26 @@ TABLE = [
      ["scheme", "RK4", "RK3", "implicit"]),
     ("implicitInTime", gas(mode="transient", scheme="implicit"),
      ["scheme", "implicit", "Euler RK2 RK3"]),
+    ("implicitByDefault", gas(scheme="implicit"),
+     ["scheme implicit", "(Euler RK2 RK3) with mode transient, the default"]),
+    ("feedbackOfAWord", gas(mode="frozen", feedback="late"),
+     ["Entry feedback is no block"]),
+    ("surroundings", changed(
+        ("active          yes;", "active yes; heatTransfer on;"),
+        ("rho0            2500;", "rho0 2500; T0 300; Cp0 800;"
+         " TSurroundings -3;")), ["TSurroundings -3", "[0, 1e8) K"]),
+    ("emptyWall", changed(("type    escape;", "")),
+     ["Entry type is missing", "the law, 'type escape;'"]),
+    ("adhesionOfNothing", changed(
+        ("patchInteractionModel hardSphereWall;",
+         "patchInteractionModel jkrAdhesion;"),
+        ("hardSphereWallCoeffs", "jkrAdhesionCoeffs"),
+        ("""restitutionModel    McNamaraFalcon;
+                restitution         0.7;
+                restitutionSpeed    0.3;
+""", "alpha 1;")), ["Entry contact is missing", "particle and wall"]),
+    ("otherLibrary", without_library,
+     ["add libs (parcelForces)", "type spinningKinematicCloud"]),
     ("misspelt", gas(mode="steady", maxCourant=0.5),
      ["maxCourant", "maxCo", "residual"]),
     ("maxCo_zero", gas(scheme="RK3", maxCo=0), ["maxCo 0:", "(0, 1]"]),
@@ -408,6 +442,8 @@ TABLE = [
      ["volumeFraction 0.1:", "(0, 0.1)"]),
     ("volumeFraction_zero", replace(STREAM, "1e-5", "0"),
      ["volumeFraction 0:", "(0, 0.1)"]),
+    ("neitherSizes", replace(STREAM, "diameter        $:diameter;", ""),
+     ["sizes is missing, as is diameter"]),
     ("noSizes", sizes(""), ["sizes ()", "at least one"]),
     ("sizesDiameter", sizes("(5e-6 0.5) (-1e-5 0.5)"),
      ["sizes -1e-05:", "[1e-10, 100]"]),
@@ -502,7 +538,7 @@ TABLE = [
 
 OF_THE_STREAM = ("volumeFraction", "volumeFraction_limit",
                  "volumeFraction_zero", "diameter_stream",
-                 "micrometres_stream", "noSizes",
+                 "micrometres_stream", "neitherSizes", "noSizes",
                  "sizesDiameter", "sizesShare", "sizesSum", "stream_speed",
                  "density", "injectionPatch")
 
