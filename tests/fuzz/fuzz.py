@@ -173,7 +173,7 @@ class Subject:
             return file.read()
 
 
-def judge(subject, path, name, entry, status, text, bad, keys):
+def judge(subject, path, name, entry, status, text, bad):
     """What is wrong with the outcome; nothing if it is as it should be."""
     kind = name.split()[0]
     if status in (-24, 152, -9):
@@ -201,16 +201,20 @@ def judge(subject, path, name, entry, status, text, bad, keys):
             return "accepted"
         return f"not a number in {os.path.basename(bad)}" if bad else ""
     key = (misspelt(entry.key) if kind == "misspell" else entry.key).strip('"')
-    message = text[at:].split("From function")[0]
-    words = {key, entry.key.strip('"')}
-    if kind == "drop":
-        # Something else may be missing without it
-        words |= keys
     if entry.key in STOCK:
         return ""
-    if not any(w in message for w in words):
-        return "does not name the entry"
-    return ""
+    # The line of the file names the blocks around an entry, too: of that the
+    # end alone, where it is the line of an entry
+    message, _, file = text[at:].split("From function")[0].partition("\nfile: ")
+    for word in (key, entry.key.strip('"')):
+        if (re.search(rf"(?<!\w){re.escape(word)}(?!\w)", message)
+                or f".{word} at line " in file):
+            return ""
+    # What a pattern has stood for is named instead of it
+    if kind == "drop" and entry.key.startswith('"') and any(
+            re.fullmatch(key, word) for word in re.findall(r"\w+", message)):
+        return ""
+    return "does not name the entry"
 
 
 def alike(subject, path, name, entry, changed):
@@ -365,9 +369,8 @@ def main():
             continue
         for path, chosen in subject.files.items():
             text = subject.text(path)
-            keys = {e.key.strip('"') for e in entries(bare(text))}
             for name, entry, changed in mutations(text, chosen):
-                trials.append((subject, path, name, entry, changed, keys))
+                trials.append((subject, path, name, entry, changed))
             for where, end in blocks(text, chosen):
                 # What a file that is included has at its top is free
                 free = ((not where and (chosen is not tutorials.everything
@@ -375,13 +378,13 @@ def main():
                         or where and where[-1] in subject.free
                         or subject.is_macro(path, where))
                 if not free and not subject.is_stock(path, where):
-                    trials.append((subject, path, where, None, end, None))
+                    trials.append((subject, path, where, None, end))
 
     found = len(trials)
     random.Random(1).shuffle(trials)
     if asked.tutorials:
         # Of those that are alike the first: they spread over the tutorials
-        trials = list({alike(*t[:5]): t for t in reversed(trials)}.values())
+        trials = list({alike(*t): t for t in reversed(trials)}.values())
         random.Random(1).shuffle(trials)
     different = len(trials)
     if asked.sample:
@@ -394,7 +397,7 @@ def main():
         if time.monotonic() > end:
             return      # see --minutes
         begun.append(trial)
-        subject, path, name, entry, changed, keys = trial
+        subject, path, name, entry, changed = trial
         worker = threading.get_ident()
         key = identity(subject, path, name, entry, changed)
         said = ""
@@ -408,7 +411,7 @@ def main():
                           for c in complaints]
         else:
             status, text, bad = subject.attempt(path, changed, worker)
-            problem = judge(subject, path, name, entry, status, text, bad, keys)
+            problem = judge(subject, path, name, entry, status, text, bad)
             n, refused = 1, status != 0
             complaints = [f"{name}: {problem}"] if problem else []
             at = max(text.find("FOAM FATAL"), 0)

@@ -197,7 +197,7 @@ def rarefied(file):
             with open(f"{case}/constant/solidParticleProperties", "w") as out:
                 out.write(text)
     return Subject(file, f"constant/{file}", build, ["dsmcParcelFoam"],
-                   free=("fills", "moleculeProperties"))
+                   free=("fills", "moleculeProperties", "cloudFunctions"))
 
 
 SUBJECTS = [
@@ -207,7 +207,9 @@ SUBJECTS = [
     gas("steady"), gas("transient"),
     Subject("alignMeshToShock", "system/alignMeshToShockDict", blunt_body,
             ["alignMeshToShock"]),
-    cloud("hardSphereWall", "spinningKinematicCloud", "rakeInjection"),
+    # (without the coefficients of a model that is not chosen)
+    cloud("hardSphereWall", "spinningKinematicCloud", "rakeInjection",
+          pairs=((r"stochasticDispersionRASCoeffs\s*\{[^}]*\}", ""),)),
     cloud("hardSphereWall", "eventDrivenCollisions", "rakeInjection"),
     cloud("semiEmpiricalRebound", "crossSectionInjection"),
     cloud("nonSphericalRebound", "surfaceImpact", "rakeInjection"),
