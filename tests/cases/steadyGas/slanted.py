@@ -6,7 +6,7 @@ temporary folder."""
 
 import numpy as np
 
-from bluntBody import P, T, SOUND, between, pitot
+from bluntBody import P, T, SOUND, between, pitot, told_at_nose
 from caseTools import copy_case, last_fields, must, solve, verdict
 
 MACH, CONE = 2.0, np.radians(15)
@@ -34,8 +34,10 @@ for name in case, moved:
     p, temperature, U = last_fields(name, "p T U")
     MM = (U**2).sum(1)/(SOUND**2*temperature/T)
     rest = (p*(1 + 0.2*MM)**3.5)[MM < 0.04].mean()/(P*pitot(MACH)) - 1
-    said = "above that behind a normal shock" in " ".join(log.split())
-    verdict(f"steady_{name}", "Gas: steady" in log
-            and (said if name == case else not said and abs(rest) < 0.01),
+    told, right = told_at_nose(name, log, MACH)
+    verdict(f"steady_{name}", "Gas: steady" in log and right
+            and (told is not None and told > 0 if name == case
+                 else told is None and abs(rest) < 0.01),
             f"total pressure before the nose {100*rest:+.2f} % of that behind a"
-            f" normal shock, {'said' if said else 'nothing said'}")
+            f" normal shock, {'nothing' if told is None else told} said,"
+            f" {'as' if right else 'not what'} the fields have")
