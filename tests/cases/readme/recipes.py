@@ -159,6 +159,22 @@ def wear_is_said(printed, row):
         rtol=1e-4)
 
 
+def wear_by_hand(row):
+    """Whether the wear is Oka's (erosionLaw.H) at the mean impact, from which
+    impacts differ little here, and mm/year the mass flux times mm3/kg."""
+    speed = np.sqrt(2*row["specificPowerIncident"]/row["massFlux"])
+    sine, hardness = row["meanNormalSpeed"]/speed, 1.8
+    oka = (65*hardness**-0.12*(speed/104)**(2.3*hardness**0.038)
+           * (50/326)**0.19*sine**(0.71*hardness**0.14)
+           * (1 + hardness*(1 - sine))**(2.4*hardness**-0.94))
+    hand = (oka/row["specificErosion_mm3_per_kg"],
+            1e-6*365.25*86400*row["massFlux"]
+            * row["specificErosion_mm3_per_kg"]/row["wearRate_mm_per_year"])
+    return (abs(hand[0] - 1) < 0.03 and abs(hand[1] - 1) < 1e-6,
+            f"by hand {hand[0]:.4f} of the mm3/kg, bound 3 %, {hand[1]:.7f} of"
+            " the mm/year, bound 1e-6")
+
+
 def goes_on(gas, log):
     """Whether a solver with the cloud as its function object has written the
     map and, in its last time, the parcels as they were after the last step,
@@ -196,7 +212,9 @@ def main():
         cases["sand"], printed = follow(gas, erosion)
         row = table(cases["sand"], "wear")
         good, reason = at_target(printed, row, "erosionRate")
-        return good and wear_is_said(printed, row), reason
+        right, hand = wear_by_hand(row)
+        return good and right and wear_is_said(printed, row), (
+            f"{reason}; {hand}")
 
     def erosion_unsteady():
         gas = stock("incompressible/pimpleFoam/RAS/pitzDaily", "unsteady", 2)
