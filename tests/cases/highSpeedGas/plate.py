@@ -74,7 +74,7 @@ write_block("plate", box((LENGTH, HEIGHT, 1e-3)), (NX, NY, 1),
 free = "type zeroGradient;"
 for name, value, wall in (("p", RHO*R_GAS*TE, free), ("T", TE, free),
                           ("U", (UE, 0, 0), "type noSlip;")):
-    stream = (f"type fixedValue; value uniform "
+    stream = ("type fixedValue; value uniform "
               + (f"({UE!r} 0 0)" if name == "U" else repr(float(value))) + ";")
     write_field("plate", name, value,
                 {"xMin": stream, "xMax": free, "yMin": wall, "yMax": free,

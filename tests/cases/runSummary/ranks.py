@@ -2,7 +2,6 @@
 """What each rank has had to do, the warning where one has most of it, and the
 weights with which decomposePar spreads it."""
 
-import os
 import re
 
 import numpy as np

@@ -2,7 +2,6 @@
 """Laminar Mach 6 flow off a plate before a ramp: what the steady march finds at
 rest stays as it is when the gas goes on in time."""
 
-import os
 import re
 import shutil
 

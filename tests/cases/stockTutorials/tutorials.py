@@ -104,14 +104,15 @@ ROWS = (
     # the stock solver's, and by no more than the bound. stock: largest relative
     # L1 difference of p from the stock solver's, in the short run and the full
     # one. schemes: tutorial whose schemes and solution the stock solver is
-    # given, where that of the tutorial is none for shocks. end: of the short run and the full one; None leaves it
-    # out (in the Helmholtz resonator sound crosses a cell in a fiftieth of the
-    # stock solver's time step). slip: the walls of the stock solver let an
-    # inviscid gas slip (noSlip makes it take the walls' velocity into its
-    # gradients, which changes p by 9 %). mesh: commands between blockMesh and
-    # the solver. steady: the gas is to be, and ends when it is; the stock
-    # solver when its residualControl says so. goesOn: the stock solver starts
-    # from our steady fields and ends at this time.
+    # given, where that of the tutorial is none for shocks. end: of the short
+    # run and the full one; None leaves it out (in the Helmholtz resonator sound
+    # crosses a cell in a fiftieth of the stock solver's time step). slip: the
+    # walls of the stock solver let an inviscid gas slip (noSlip makes it take
+    # the walls' velocity into its gradients, which changes p by 9 %). mesh:
+    # commands between blockMesh and the solver. steady: the gas is to be, and
+    # ends when it is; the stock solver when its residualControl says so.
+    # goesOn: the stock solver starts from our steady fields and ends at this
+    # time.
     dict(name="obliqueShock", path=C + "obliqueShock", solver="rhoCentralFoam",
          end=(5, 10), exact=reflected_shock, bound=0.0195),
     dict(name="wedge15Ma5", path=C + "wedge15Ma5", solver="rhoCentralFoam",

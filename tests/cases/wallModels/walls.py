@@ -11,8 +11,7 @@ import sys
 import numpy as np
 
 from caseTools import (complaint, copy_case, decompose, edit, hard_sphere,
-                       largest, must, refuses, run, times_of, verdict,
-                       write_foam)
+                       largest, refuses, run, times_of, verdict)
 from indicatrices import (BOX, BOX_D, LAW, LID, ROUGH, SPEED, beam,
                           check_indicatrices, check_lay, direction, new,
                           patches)
