@@ -98,6 +98,8 @@ def tutorial_subjects(asked):
         for folder in cases:
             with open(f"{folder}/command") as file:
                 case, program, *options = file.read().split("\n")[:-1]
+            # What dictionaries say is the same on one rank
+            options = [o for o in options if o != "-parallel"]
             found = tutorials.dictionaries(f"{folder}/tree", case, program)
             files = {p: tutorials.chooser(p, program, text)
                      for p, text in found.items()
@@ -206,13 +208,18 @@ def judge(subject, path, name, entry, status, text, bad):
     # The line of the file names the blocks around an entry, too: of that the
     # end alone, where it is the line of an entry
     message, _, file = text[at:].split("From function")[0].partition("\nfile: ")
-    for word in (key, entry.key.strip('"')):
-        if (re.search(rf"(?<!\w){re.escape(word)}(?!\w)", message)
-                or f".{word} at line " in file):
-            return ""
-    # What a pattern has stood for is named instead of it
-    if kind == "drop" and entry.key.startswith('"') and any(
-            re.fullmatch(key, word) for word in re.findall(r"\w+", message)):
+    words = {key, entry.key.strip('"')}
+    if kind == "drop":
+        # What a pattern stood for, macros that nothing refers to any more,
+        # the block of names that anyone may choose
+        if entry.key.startswith('"'):
+            words |= {word for word in re.findall(r"\w+", message)
+                      if re.fullmatch(key, word)}
+        words |= set(re.findall(r"\$:?(\w+)",
+                                subject.text(path)[entry.start:entry.end]))
+        words |= {parent}.intersection(subject.free)
+    if any(re.search(rf"(?<!\w){re.escape(word)}(?!\w)", message)
+           or f".{word} at line " in file for word in words):
         return ""
     return "does not name the entry"
 

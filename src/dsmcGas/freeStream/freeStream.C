@@ -311,6 +311,7 @@ void Foam::freeStream::needBoundaryFields
         FatalIOErrorInFunction(dict)
             << "InflowBoundaryModel FreeStream needs the fields boundaryT"
             << " and boundaryU in " << cells_.mesh().time().timePath()
+            << ", or inflows with entries temperature and velocity"
             << exit(FatalIOError);
     }
 }
@@ -351,6 +352,13 @@ Foam::freeStream::freeStream
       ? wordList{"numberDensities", "patches", "inflows"}
       : wordList{"numberDensities", "inflows"}
     );
+
+    if (ofStock && !coeffs.found("numberDensities"))
+    {
+        FatalIOErrorInFunction(coeffs)
+            << "Entry numberDensities is missing, and inflows names no patch"
+            << nl << "Valid: one of them, or both" << exit(FatalIOError);
+    }
 
     // Gases of their own, then that of the stock model behind the others
     boolList taken(cells.mesh().boundaryMesh().size(), false);

@@ -216,7 +216,10 @@ Foam::JkrAdhesion<CloudType>::JkrAdhesion
             wallOf_[i] = label(walls_.size());
             walls_.push_back
             (
-                adhesionEntries::wall(this->patches()[i], casePath)
+                adhesionEntries::wall
+                (
+                    wallPatches::law(this->patches()[i]), casePath
+                )
             );
         }
     }

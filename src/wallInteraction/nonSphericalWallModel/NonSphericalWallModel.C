@@ -301,7 +301,10 @@ Foam::NonSphericalWallModel<CloudType>::NonSphericalWallModel
         if (this->fate(i) == ParcelWallModel<CloudType>::fateType::rebound)
         {
             wallOf_[i] = label(walls_.size());
-            walls_.push_back(readWall(this->patches()[i], i));
+            walls_.push_back
+            (
+                readWall(wallPatches::law(this->patches()[i]), i)
+            );
         }
     }
 }

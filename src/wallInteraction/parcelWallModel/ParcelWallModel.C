@@ -326,13 +326,6 @@ Foam::ParcelWallModel<CloudType>::ParcelWallModel
 
     forAll(fates_, i)
     {
-        if (patches_[i].empty())
-        {
-            FatalIOErrorInFunction(patches_[i])
-                << "Entry type is missing, and there is no law" << nl
-                << "Valid: the law, 'type escape;' or 'type capture;'"
-                << exit(FatalIOError);
-        }
         const word fate
         (
             getWordOf

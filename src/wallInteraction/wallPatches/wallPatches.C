@@ -164,3 +164,18 @@ Foam::wallPatches::wallPatches
             << " model within multiInteraction" << exit(FatalIOError);
     }
 }
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+const Foam::dictionary& Foam::wallPatches::law(const dictionary& settings)
+{
+    if (settings.empty())
+    {
+        FatalIOErrorInFunction(settings)
+            << "Entry type is missing, and there is no law" << nl
+            << "Valid: the law, 'type escape;' or 'type capture;'"
+            << exit(FatalIOError);
+    }
+    return settings;
+}

@@ -57,6 +57,11 @@ EDITS = [   # name, change, texts that the message must hold
     ("patchesWithoutDensities", replace(
         GAS, "{ numberDensities { Ar 1e20; } patches", "{ patches"),
      ["Unknown entry patches", "Valid: (numberDensities inflows)"]),
+    ("noInflow", replace(
+        GAS, "numberDensities { Ar 1e20; } patches (xMin); inflows { xMax"
+        " { numberDensities { Ar 2e20; } temperature 400; velocity (-90 0 0);"
+        " } }", "inflows {}"),
+     ["Entry numberDensities is missing, and inflows names no patch"]),
     ("species", replace(GAS, "Ar {", "He {"),
      ["moleculeProperties", "Species Ar of typeIdList", "He"]),
     ("noSpecies", replace(GAS, "typeIdList (Ar)", "typeIdList ()"),
