@@ -122,7 +122,7 @@ Foam::gasEntropy::excess Foam::gasEntropy::above
         if (sign*change[c] > e.largest)
         {
             e.largest = sign*change[c];
-            e.place = mesh.mesh().C()[mesh.meshCell[c]];
+            e.place = mesh.mesh().cellCentres()[mesh.meshCell[c]];
         }
     }
     reduce(e.nCells, sumOp<label>());

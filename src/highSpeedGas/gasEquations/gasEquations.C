@@ -321,7 +321,7 @@ void Foam::gasEquations::readFields(const bool asWritten)
         {
             FatalErrorInFunction
                 << "Pressure and temperature must be positive, and all fields"
-                << " finite, but cell " << c << " at " << mesh_.C()[c]
+                << " finite, but cell " << c << " at " << mesh_.cellCentres()[c]
                 << " holds p = " << p[c] << " Pa, T = " << T[c] << " K, U = "
                 << U[c] << " m/s at time " << mesh_.time().timeName()
                 << exit(FatalError);
@@ -527,7 +527,7 @@ void Foam::gasEquations::setSources
 void Foam::gasEquations::reportInvalidCells()
 {
     label celli = -1;
-    forAll(mesh_.C(), c)
+    forAll(mesh_.cellCentres(), c)
     {
         if (invalid_[geometry_.cellOf[c]])
         {
@@ -539,7 +539,7 @@ void Foam::gasEquations::reportInvalidCells()
     if (celli >= 0)
     {
         const double* q = &primitive[geometry_.cellOf[celli]*nVar_];
-        Pout<< "Gas: cell " << celli << " at " << mesh_.C()[celli]
+        Pout<< "Gas: cell " << celli << " at " << mesh_.cellCentres()[celli]
             << " at time " << mesh_.time().timeName()
             << " has no finite, positive density and internal energy after a"
             << " step from p = " << q[0] << " Pa, T = " << q[1] << " K"
@@ -588,7 +588,7 @@ void Foam::gasEquations::reportInvalidCells()
     );
     const point place = returnReduce
     (
-        rank == Pstream::myProcNo() ? mesh_.C()[celli] : point(Zero),
+        rank == Pstream::myProcNo() ? mesh_.cellCentres()[celli] : point(Zero),
         sumOp<point>()
     );
     OStringStream where;

@@ -168,7 +168,7 @@ void Foam::gasEquations::checkTemperature()
         if (worst >= 0 && distance >= furthest)
         {
             const label celli = geometry_.meshCell[worst];
-            Pout<< "Gas: cell " << celli << " at " << mesh_.C()[celli]
+            Pout<< "Gas: cell " << celli << " at " << mesh_.cellCentres()[celli]
                 << " has T = " << primitive[worst*nVar_ + 1] << " K" << endl;
         }
     }

@@ -214,7 +214,7 @@ void Foam::gasEquations::reportStagnation() const
             const scalar V = geometry_.volume[c];
             nCells++;
             volume += V;
-            place += V*mesh_.C()[geometry_.meshCell[c]];
+            place += V*mesh_.cellCentres()[geometry_.meshCell[c]];
             total += V*q[0]*eos_.stagnationRatio(MM);
         }
     }

@@ -108,7 +108,7 @@ void Foam::totalEnthalpy::report() const
             nCells++;
             volume += V;
             sum += V*off[c];
-            place += V*mesh.mesh().C()[mesh.meshCell[c]];
+            place += V*mesh.mesh().cellCentres()[mesh.meshCell[c]];
         }
     }
     reduce(nCells, sumOp<label>());

@@ -527,7 +527,7 @@ void Foam::cellGas::update
     if (tets_.empty())
     {
         cells_.resize(mesh_.nCells());
-        forAll(mesh_.C(), celli)
+        forAll(mesh_.cellCentres(), celli)
         {
             field& f = cells_[celli];
             f = field{};
