@@ -62,12 +62,12 @@ void Foam::steadySolution::followed(const label nRates)
     // solved anew for each small change of theirs. They are given a share of
     // the time, or what leaves a tenth of their change.
     const label nMost = max(label(1), nRates/5);
-    scalar first = 0;
+    scalar most = 0;
     for (label n = 0; n < nMost && iterations_ < settings_.maxIterations; n++)
     {
         iterated();
-        first = max(first, eddyChange_);
-        if (eddyChange_ <= max(0.1*first, settings_.residual))
+        most = max(most, eddyChange_);
+        if (eddyChange_ <= max(0.1*most, settings_.residual))
         {
             break;
         }

@@ -7,6 +7,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "krylovBasis.H"
+#include "randomNumbers.H"
 #include "largest.H"
 
 #include <gtest/gtest.h>
@@ -18,18 +19,6 @@ namespace
 {
 
 typedef std::vector<double> numbers;
-
-
-numbers randomNumbers(std::mt19937& random, const int n)
-{
-    std::normal_distribution<double> normal;
-    numbers v(n);
-    for (double& x : v)
-    {
-        x = normal(random);
-    }
-    return v;
-}
 
 
 double dot(const numbers& a, const numbers& b)

@@ -7,6 +7,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "stripCorrection.H"
+#include "randomNumbers.H"
 
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -94,18 +95,6 @@ struct row
         strips.set(lower, diagonal, column, block, weight);
     }
 };
-
-
-numbers randomNumbers(std::mt19937& random, const int n)
-{
-    std::normal_distribution<double> normal;
-    numbers v(n);
-    for (double& x : v)
-    {
-        x = normal(random);
-    }
-    return v;
-}
 
 } // End anonymous namespace
 
