@@ -85,7 +85,7 @@ Foam::shockAlignment::shockAlignment(fvMesh& mesh, const dictionary& dict)
     // Where the shock is several cells off its place within the band, cells
     // at its two sides are crossed, and all behind feel it. What is left of
     // its waves is to fall with the square of the cells, as other errors do,
-    // until the shock is known no better
+    // until the gas at the body feels it no more
     const scalarField x(spacing(outer_, bandWidth_));
     label i = 0;
     while (x[i + 1] < 1)
@@ -93,8 +93,10 @@ Foam::shockAlignment::shockAlignment(fvMesh& mesh, const dictionary& dict)
         i++;
     }
     const scalar cell = x[i + 1] - x[i];
-    const scalar share = max(1.0/16, min(1.0/3, 40*cell));
-    tolerance_ = getNumber(dict, "tolerance", "(0, 1)", share*cell);
+    tolerance_ = getNumber
+    (
+        dict, "tolerance", "(0, 1)", min(cell/3, max(20*sqr(cell), 5e-5))
+    );
 
     forAll(lines_, linei)
     {
