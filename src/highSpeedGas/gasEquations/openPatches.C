@@ -3,6 +3,28 @@
 \*---------------------------------------------------------------------------*/
 
 #include "gasEquations.H"
+#include "StringStream.H"
+
+namespace
+{
+
+using namespace Foam;
+
+//- Whether a condition on p takes the total pressure for that of a gas of
+//  constant density
+bool ofConstantDensity(const fvPatchScalarField& pp)
+{
+    if (pp.type() != "totalPressure" && pp.type() != "uniformTotalPressure")
+    {
+        return false;
+    }
+    OStringStream os;
+    pp.write(os);
+    IStringStream is(os.str());
+    return dictionary(is).getOrDefault<word>("psi", "none") == "none";
+}
+
+} // End anonymous namespace
 
 // * * * * * * * * * * * * * * * State * * * * * * * * * * * * * * * * * * * //
 
@@ -217,11 +239,13 @@ void Foam::gasEquations::reportOpenPatches(const bool steady) const
         scalar driven = 0;
         scalar unfelt = 0;
         scalar slow = 0;
+        scalar compressed = 0;
         const fvPatchScalarField& pp =
             thermo_.p().boundaryField()[patch.patchi];
         const bool ofStatic =
             fed_[patch.patchi]
          && (pp.type() == "fixedValue" || pp.type() == "uniformFixedValue");
+        const bool constantDensity = ofConstantDensity(pp);
         for (label f = patch.start; f < patch.start + patch.size; f++)
         {
             double a;
@@ -247,6 +271,16 @@ void Foam::gasEquations::reportOpenPatches(const bool steady) const
                 ofStatic && un < 0 && 0.5*gamma*sqr(un/a) > 0.05
               ? geometry_.area[f]
               : 0;
+            if (constantDensity && un < 0)
+            {
+                const scalar MM = uu/(a*a);
+                compressed = max
+                (
+                    compressed,
+                    std::pow(1 + 0.5*(gamma - 1)*MM, gamma/(gamma - 1))
+                   /(1 + 0.5*gamma*MM) - 1
+                );
+            }
             const scalar p = pp[f - patch.start];
             unfelt +=
                 pressed_[patch.patchi] && sweptOut(f, p)
@@ -265,6 +299,7 @@ void Foam::gasEquations::reportOpenPatches(const bool steady) const
         reduce(driven, sumOp<scalar>());
         reduce(unfelt, sumOp<scalar>());
         reduce(slow, sumOp<scalar>());
+        reduce(compressed, maxOp<scalar>());
         if (shocked > least*all)
         {
             WarningInFunction
@@ -297,6 +332,16 @@ void Foam::gasEquations::reportOpenPatches(const bool steady) const
                 << " its total pressure 5 % more or beyond. If it comes from"
                 << " rest set totalPressure on p and totalTemperature on T"
                 << endl;
+        }
+        if (compressed > 1e-3)
+        {
+            WarningInFunction
+                << "Gas comes in through patch "
+                << mesh_.boundary()[patch.patchi].name()
+                << " with a total pressure up to " << 100*compressed
+                << " % above p0: without psi the condition on p is that of a"
+                << " gas of constant density. Set psi thermo:psi and gamma"
+                << " there" << endl;
         }
         if (unfelt > 0.01*all)
         {

@@ -292,13 +292,13 @@ Foam::autoPtr<Foam::fluidThermo> Foam::highSpeedGas::readThermo
     restoreTemperature(thermo->T(), readField(mesh, "T", thermo->T().type()));
     for (const word name : {"p", "T"})
     {
-        warnOfGamma(thermo(), readField(mesh, name, volScalarField::typeName));
+        checkGamma(thermo(), readField(mesh, name, volScalarField::typeName));
     }
     return thermo;
 }
 
 
-void Foam::highSpeedGas::warnOfGamma
+void Foam::highSpeedGas::checkGamma
 (
     const fluidThermo& thermo,
     const dictionary& file
@@ -319,6 +319,25 @@ void Foam::highSpeedGas::warnOfGamma
             continue;   // or only the speed at which waves leave
         }
         const scalar given = d->get<scalar>("gamma");
+        const word type(d->getOrDefault<word>("type", ""));
+        if
+        (
+            (type == "totalPressure" || type == "uniformTotalPressure")
+         && d->getOrDefault<word>("psi", "none") == "none"
+        )
+        {
+            // As the condition itself writes it, or not heard
+            if (given != 1)
+            {
+                FatalIOErrorInFunction(*d)
+                    << "Entry gamma of p on patch " << patch.name()
+                    << " is not taken without psi: the total pressure is that"
+                    << " of a gas of constant density." << nl
+                    << "Add 'psi thermo:psi;', or remove gamma where gas comes"
+                    << " in slowly" << exit(FatalIOError);
+            }
+            continue;
+        }
         const scalar ofGas =
             gAverage(gamma().boundaryField()[patch.index()]);
         if (ofGas > 0 && mag(given - ofGas) > 0.02*ofGas)

@@ -8,7 +8,7 @@ import re
 import numpy as np
 
 from caseTools import (GAMMA, R_GAS, box, copy_case, edit, last_fields, must,
-                       solve, verdict, write_block, write_case, write_field,
+                       refuses, run, solve, verdict, write_block, write_case, write_field,
                        write_foam)
 
 CP = GAMMA*R_GAS/(GAMMA - 1)
@@ -131,7 +131,8 @@ write_field(case, "T", T0, dict(
 write_field(case, "U", (100.0, 0, 0), dict(
     ends, xMin="type pressureInletOutletVelocity; value uniform (100 0 0);",
     xMax="type zeroGradient;", walls="type slip;"))
-other = copy_case(case, "otherGamma")
+other, ignored, dense, slow = [copy_case(case, name) for name in (
+    "otherGamma", "gammaIgnored", "constantDensity", "slow")]
 log = solve(case)
 ratio = (p0/pe)**((GAMMA - 1)/GAMMA)
 exact = (pe*ratio/(R_GAS*T0)*np.sqrt(2*CP*T0*(1 - 1/ratio))*inlet*width)
@@ -152,3 +153,22 @@ warned = [len(re.findall(r"Entry gamma is 1\.667, that of the gas on patch xMin"
           for text in (log, solve(other))]
 verdict("other_gamma_is_warned_of", warned == [0, 2],
         f"{warned} warnings with the gas's gamma and another")
+
+# A total pressure without psi: that of a gas of constant density
+edit(ignored, "0/p", "psi thermo:psi;", "")
+refuses("gamma_without_psi", run(ignored, "rhoCentralParcelFoam"),
+        ("Entry gamma of p on patch xMin", "Add 'psi thermo:psi;'"))
+for case in dense, slow:
+    edit(case, "0/p", f"gamma {GAMMA}; psi thermo:psi;", "")
+edit(slow, "0/p", f"value uniform {pe};", f"value uniform {p0 - 500};")
+edit(slow, "0/U", "(100 0 0)", "(25 0 0)")
+said = [re.findall(r"through patch xMin with a total pressure up to (\S+) %"
+                   " above p0", solve(case).split("warnings, each once")[0])
+        for case in (dense, slow)]
+# What the boundary has with the velocity that it takes from the first cell
+u = last_fields(dense, "U")[0][0, 0]
+T = T0 - u**2/(2*CP)
+above = 100*(stagnation(p0/(1 + u**2/(2*R_GAS*T)), T, u)[0]/p0 - 1)
+verdict("total_pressure_without_psi", [len(s) for s in said] == [1, 0]
+        and abs(float(said[0][0])/above - 1) < 1e-4 and above > 0.2,
+        f"said {said}, {above:.4f} % exactly")
