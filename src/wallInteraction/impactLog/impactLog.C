@@ -41,6 +41,7 @@ void Foam::impactLog::writeRecord(const record& r)
     add(r.reboundKnown, i.omega1);
     line.add(r.reboundKnown, i.captured);
     line.add(r.reboundKnown);
+    line.add(i.T > 0, i.T);
     file_->stdStream() << line.take();
 }
 
@@ -69,7 +70,7 @@ Foam::impactLog::impactLog
         file_()
             << "step,origProc,origId,time,x,y,z,Ux,Uy,Uz,d,nParticle,patch,"
             << "firstImpact,omegaX,omegaY,omegaZ,UxOut,UyOut,UzOut,"
-            << "omegaXOut,omegaYOut,omegaZOut,captured,reboundKnown" << endl;
+            << "omegaXOut,omegaYOut,omegaZOut,captured,reboundKnown,T" << endl;
     }
 }
 

@@ -3,6 +3,7 @@
 the common state, order in time, account of energies, radiation, melting,
 collisions, restart, ranks, bad input. Stands in a temporary folder."""
 
+import csv
 import filecmp
 import os
 import re
@@ -503,7 +504,7 @@ sealed("load", 1e-3, 1e-5, 20, 1e-6, u=(0, 0, 0), v=(0, -300, 0), T=500.,
            "WallCoeffs { patches (\"y.*\" { type rebound; restitution 0.5;"
            " friction 0.1; }); }").replace(
            "cloudFunctions {}", "cloudFunctions { hits { type surfaceImpact;"
-           " patches (yMin); heat { wallTemperature 400; } } }"))
+           " patches (yMin); log yes; heat { wallTemperature 400; } } }"))
 L = 2e-3
 write_block("load", corners((L, L, L/2)), (2, 2, 1),
             {"xMin": "cyclic", "xMax": "cyclic", "yMin": "wall",
@@ -541,10 +542,13 @@ heat, power, incident, load, gas = (
 mass = float(re.findall(r"impacts of particles, their mass = \S+, (\S+)",
                         log)[-1])
 expected = mass*CP_P*500/(L*L/2*2e-5)
+with open("load/postProcessing/hits/sand/0/impacts.csv") as file:
+    logged = np.mean([float(r["T"]) - 400 for r in csv.DictReader(file)])
 # With the viscosity of the gas, which is less at the wall
 conduction = 1.458e-6*np.sqrt(500)/(1 + 110.4/500)*CP/0.69*100/(L/4)
 verdict("heat_load", mass > 0 and abs(heat/power - 1) < 1e-12
         and 0.95 < incident/expected < 1
+        and abs(incident/expected/(logged/500) - 1) < 1e-5
         and abs(load - (heat - gas)) < 1e-9*load
         and 0.8 < -gas/conduction < 1,
         "grains lose %.4g W/m2 and bring %.4g (%.4g if they did not cool on"

@@ -107,8 +107,9 @@ with open("struck/postProcessing/surfaceImpact/solids/0/impacts.csv") as file:
     rows = list(csv.DictReader(line for line in file if line[0] != "#"))
 ids = {(r["origProc"], r["origId"]) for r in rows}
 verdict("surfaceImpact_identities", len(ids) == len(rows) > 400
+        and all(abs(float(r["T"])/800 - 1) < 1e-12 for r in rows)
         and "Wall impacts: hardSphereWall, patch xMax" in log,
-        f"{len(ids)} identities in {len(rows)} impacts")
+        f"{len(ids)} identities in {len(rows)} impacts at 800 K")
 differ = restarts("struck")
 verdict("surfaceImpact_restart", not differ, f"differ: {differ[:5]}")
 
