@@ -237,7 +237,7 @@ def cone(case):
 
 refused("sharp", "Layers can follow the detached shock", cells=(24, 24),
         body="sphere", M=8, edits=cone, gas={"maxIterations": 500})
-for layers, tolerance in (40, lambda h: 20*h*h), (160, lambda h: 5e-5):
+for layers, tolerance in (40, lambda h: 40*h*h), (160, lambda h: h/16):
     refused(f"transient{layers}", "Set 'mode steady;'", (layers, 4),
             gas={"mode": "transient"})
     with open(f"transient{layers}/log.alignMeshToShock") as log:
