@@ -207,7 +207,7 @@ def judge(subject, path, name, entry, status, text, bad):
         return ""
     # The line of the file names the blocks around an entry, too: of that the
     # end alone, where it is the line of an entry
-    message, _, file = text[at:].split("From function")[0].partition("\nfile: ")
+    message, _, file = text[at:].split("\n    From ")[0].partition("\nfile: ")
     words = {key, entry.key.strip('"')}
     if kind == "drop":
         # What a pattern stood for, macros that nothing refers to any more,
@@ -219,7 +219,8 @@ def judge(subject, path, name, entry, status, text, bad):
                                 subject.text(path)[entry.start:entry.end]))
         words |= {parent}.intersection(subject.free)
     if any(re.search(rf"(?<!\w){re.escape(word)}(?!\w)", message)
-           or f".{word} at line " in file for word in words):
+           or re.search(rf"[./]{re.escape(word)} at line ", file)
+           for word in words):
         return ""
     return "does not name the entry"
 

@@ -255,9 +255,11 @@ bool Foam::shockAlignment::rests() const
 {
     // A mesh made from one with a wider band has lines that are less smooth
     // than they could be, and the gas at a stagnation point feels their kinks,
-    // however little the shock moves: by 0.4 % of its velocity gradient after
-    // the first move without, by 0.1 % after the second
-    return nAtRest_ > 1;
+    // however little the shock moves, the more the finer cells along the body
+    // are: on 80 x 120 cells by 0.4 % of its velocity gradient after the first
+    // move without, by 0.1 % after the second. (In few cells a shock may go to
+    // and fro with the mesh by about the tolerance.)
+    return nAtRest_ > (tolerance_ < 2e-4 ? 1 : 0);
 }
 
 
@@ -273,7 +275,7 @@ void Foam::shockAlignment::report() const
             << "The shock still moves by " << 100*change_
             << " % of its distance after " << moves_
             << " moves of the mesh; it is to rest within " << 100*tolerance_
-            << " % after two in a row"
+            << " %" << (tolerance_ < 2e-4 ? " after two in a row" : "")
             << (narrows_ ? ", in a band that has been narrowed" : "") << nl
             << "    Set more rounds, more layers (here " << layers_.size()
             << ") or a larger bandWidth (here " << bandWidth_ << ')' << endl;

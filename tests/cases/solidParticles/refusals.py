@@ -211,7 +211,7 @@ edit(case, PROPERTIES, "randomSeed 7",
 run(case, "dsmcParcelFoam")
 for name, new, texts in (
         ("patches", "patches (xMax xMin)",
-         ["interface", "patches 2(xMin xMax)", "time 1e-06", "(xMax)"]),
+         ["interface", "patches", "(xMin xMax)", "time 1e-06", "(xMax)"]),
         ("start", "patches (xMax); start 1e-06",
          ["interface", "start 1e-06", "time 1e-06", "0"])):
     case = copy_case("interface", "restart_interface_" + name)
