@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "completeWrite.H"
+#include "allGather.H"
 #include "OSspecific.H"
 #include "OFstream.H"
 #include "fileOperation.H"
@@ -217,8 +218,7 @@ void Foam::completeWrite::setAsideUnfinished(const argList& args)
         }
         names[Pstream::myProcNo()] = here;
     }
-    Pstream::gatherList(names);
-    Pstream::scatterList(names);
+    foamCompat::allGather(names);
 
     // Unfinished on one rank is unfinished on all
     wordHashSet all;

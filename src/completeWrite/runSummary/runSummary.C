@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "runSummary.H"
+#include "allGather.H"
 #include "processorTime.H"
 #include "Pstream.H"
 #include "PstreamReduceOps.H"
@@ -106,8 +107,7 @@ std::string Foam::runSummary::rankTable() const
     {
         column.resize(Pstream::nProcs());
         column[Pstream::myProcNo()] = value;
-        Pstream::gatherList(column);
-        Pstream::scatterList(column);
+        foamCompat::allGather(column);
     };
     gather(columns[0], processorTime::now());
     gather(columns[1], used.ru_maxrss/1024.0);

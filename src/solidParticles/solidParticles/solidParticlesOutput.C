@@ -2,6 +2,7 @@
     parcelImpact. License: GPL-3.0-or-later, see COPYING.
 \*---------------------------------------------------------------------------*/
 
+#include "allGather.H"
 #include "solidParticles.H"
 #include "solidCloud.H"
 #include "coreVector.H"
@@ -231,8 +232,7 @@ void Foam::solidParticles::writeTallies() const
     state.add("deposits", deposits);
     labelList counts(Pstream::nProcs());
     counts[Pstream::myProcNo()] = nNamed_;
-    Pstream::gatherList(counts);
-    Pstream::scatterList(counts);
+    foamCompat::allGather(counts);
     dictionary named;
     forAll(counts, proci)
     {

@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "firstImpacts.H"
+#include "allGather.H"
 #include "PstreamReduceOps.H"
 #include "scalarList.H"
 
@@ -38,8 +39,7 @@ Foam::labelList Foam::firstImpacts::resolve()
             mine[3*i + 1] = candidates_[i].origId;
             mine[3*i + 2] = candidates_[i].time;
         }
-        Pstream::gatherList(sent);
-        Pstream::scatterList(sent);
+        foamCompat::allGather(sent);
 
         DynamicList<candidate> received;
         forAll(sent, rank)

@@ -3,6 +3,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "wallLayer.H"
+#include "allGather.H"
 #include "writtenState.H"
 #include "ListOps.H"
 #include "PstreamReduceOps.H"
@@ -183,8 +184,7 @@ void Foam::wallLayer::identify()
         mine[3*i + 1] = releases_[i].origId;
         mine[3*i + 2] = releases_[i].fraction;
     }
-    Pstream::gatherList(keys);
-    Pstream::scatterList(keys);
+    foamCompat::allGather(keys);
 
     std::vector<key> all;
     forAll(keys, rank)
