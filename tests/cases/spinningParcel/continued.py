@@ -193,6 +193,13 @@ copy_case("begun", "unnamed")
 extend("unnamed", 2*HALF)
 must("unnamed", "rm", f"{HALF:g}/uniform/complete")
 must("unnamed", "foamFormatConvert", "-latestTime")
+names = lagrangian("unnamed", HALF, "origId")
+path = f"unnamed/{HALF:g}/lagrangian/dust/origId"
+with open(path, "rb") as file:      # (newer releases keep them)
+    head = file.read().split(b"\n}\n")[0].decode()
+with open(path, "w") as file:
+    file.write(re.sub("format +binary", "format ascii", head)
+               + f"\n}}\n{len(names)}{{-1}}\n")
 lost = lagrangian("unnamed", HALF, "origId")
 log = solve("unnamed")
 twice, n = repeated("unnamed", 2*HALF)
