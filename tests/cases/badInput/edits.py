@@ -186,14 +186,14 @@ def turbulent(body, ddt="Euler", **settings):
 
 
 def elliptic(case):
-    """A turbulence model whose v2 has another scheme than k and epsilon."""
-    turbulent("simulationType RAS; RAS { RASModel v2f; turbulence on; }",
-              mode="steady")(case)
+    """A turbulence model whose phit has another scheme than k and epsilon."""
+    turbulent("simulationType RAS; RAS { RASModel kEpsilonPhitF; turbulence"
+              " on; }", mode="steady")(case)
     edit(case, SCHEMES, "default Euler", "default Euler; ddt(rho,k)"
          " steadyState; ddt(rho,epsilon) steadyState")
     with open(os.path.join(case, SOLUTION), "a") as file:
         file.write('relaxationFactors { equations { ".*" 0.5; } }')
-    for field in "epsilon", "v2", "f":
+    for field in "epsilon", "phit", "f":
         write_field(case, field, 1, {
             "symmetry": "type symmetryPlane;", "frontAndBack": "type empty;",
             '".*"': "type zeroGradient;"})
@@ -506,7 +506,8 @@ TABLE = [
     ("turbulentSteadyUnrelaxed", turbulent(
         RAS, ddt="steadyState", mode="steady"),
      ["equation of k", "equations { k 0.7; }"]),
-    ("turbulentSteadyV2", elliptic, ["ddt(rho,v2)", "Euler", "steadyState"]),
+    ("turbulentSteadyPhit", elliptic,
+     ["ddt(rho,phit)", "Euler", "steadyState"]),
     ("turbulentSteadyLES", turbulent(
         "simulationType LES; LES { LESModel kEqn; turbulence on;"
         " delta cubeRootVol; cubeRootVolCoeffs { deltaCoeff 1; } }",
