@@ -148,7 +148,7 @@ def write_field(case, name, values, boundary, time="0"):
         "k": ("[0 2 -2 0 0 0 0]", "Scalar"),
         "omega": ("[0 0 -1 0 0 0 0]", "Scalar"),
         "epsilon": ("[0 2 -3 0 0 0 0]", "Scalar"),
-        "v2": ("[0 2 -2 0 0 0 0]", "Scalar"),
+        "phit": ("[0 0 0 0 0 0 0]", "Scalar"),
         "f": ("[0 0 -1 0 0 0 0]", "Scalar"),
         "nut": ("[0 2 -1 0 0 0 0]", "Scalar"),
         "alphat": ("[1 -1 -1 0 0 0 0]", "Scalar")}[name]
