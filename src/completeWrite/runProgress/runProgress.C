@@ -28,7 +28,7 @@ void Foam::runProgress::report()
     if (firstShare_ < 0)
     {
         firstShare_ = share;
-        first_ = clock::now();
+        first_ = last_ = clock::now();
         return;
     }
 
@@ -38,10 +38,17 @@ void Foam::runProgress::report()
     {
         return;
     }
+    const bool tenth = percent/10 > percent_/10;
     percent_ = percent;
+    const clock::time_point now = clock::now();
+    if (!tenth && now - last_ < std::chrono::seconds(1))
+    {
+        return;
+    }
+    last_ = now;
 
     const scalar seconds =
-        std::chrono::duration<scalar>(clock::now() - first_).count()
+        std::chrono::duration<scalar>(now - first_).count()
        *(1 - share)/(share - firstShare_);
     Info<< percent << " % of the run, about ";
     if (seconds < 120)
