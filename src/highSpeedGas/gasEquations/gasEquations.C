@@ -617,13 +617,15 @@ void Foam::gasEquations::reportInvalidCells()
 }
 
 
-void Foam::gasEquations::calm()
+bool Foam::gasEquations::calm()
 {
-    if (anyInvalid_)
+    const bool any = anyInvalid_;
+    if (any)
     {
         std::fill(invalid_.begin(), invalid_.end(), 0);
         anyInvalid_ = false;
     }
+    return any;
 }
 
 

@@ -82,6 +82,12 @@ void Foam::steadySolution::followed(const label nRates)
 bool Foam::steadySolution::finished()
 {
     imbalance_ = equations_.imbalance(settings_.residual);
+    if (steady() && equations_.calm())
+    {
+        // No cell stays at first order
+        equations_.computeRate();
+        imbalance_ = equations_.imbalance(settings_.residual);
+    }
     return steady() || iterations_ >= settings_.maxIterations;
 }
 

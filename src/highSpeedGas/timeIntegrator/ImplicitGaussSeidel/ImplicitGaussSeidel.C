@@ -57,6 +57,7 @@ Foam::ImplicitGaussSeidel::ImplicitGaussSeidel
 :
     gas_(gas),
     nSweeps_(nSweeps),
+    nSteps_(0),
     stride_(gas.nVar()*(gas.geometry().nDim() + 1)),
     cells_(3*gas.geometry().nCells()),
     change_(gas.geometry().nSlots()*stride_),
@@ -171,7 +172,7 @@ void Foam::ImplicitGaussSeidel::update()
             }
         }
 
-        // A cell that cannot follow is taken to first order in the next step
+        // A cell that cannot follow is taken to first order in the next steps
         if (share < 0.5)
         {
             gas_.setInvalid(c);
@@ -183,7 +184,14 @@ void Foam::ImplicitGaussSeidel::update()
 bool Foam::ImplicitGaussSeidel::localStep(const scalar Co)
 {
     gas_.computeRate();
-    gas_.calm();
+
+    // Where fluxes of second order draw the internal energy of a cell below
+    // zero those of first order for one step do not give it back
+    const label patience = 50;
+    if (++nSteps_ % patience == 0)
+    {
+        gas_.calm();
+    }
 
     linearise(Co);
     sweep();
