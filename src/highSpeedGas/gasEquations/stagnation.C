@@ -194,12 +194,9 @@ void Foam::gasEquations::reportStagnation() const
     // What meshes in line with the shock stay below by far
     const scalar accuracy = 0.01;
 
-    scalar largest = 0;
-    scalar volume = 0;
-    scalar total = 0;
-    vector place(Zero);
-    label nCells = 0;
-    for (label c = 0; c < geometry_.nCells(); c++)
+    // At the wall, where all gas has come through the shock before the nose:
+    // further out a stripe of gas that has lost too little may be made up for
+    const auto machNumberSqr = [&](const label c)
     {
         const double* q = &primitive[c*nVar_];
         double uu = 0;
@@ -207,30 +204,45 @@ void Foam::gasEquations::reportStagnation() const
         {
             uu += q[k]*q[k];
         }
-        const scalar MM = uu/eos_.soundSpeedSqr<false>(q[1]);
-        largest = max(largest, MM);
-        if (q[0] > leastPressure && MM < sqr(mostMach))
+        return uu/eos_.soundSpeedSqr<false>(q[1]);
+    };
+    scalar largest = 0;
+    for (label c = 0; c < geometry_.nCells(); c++)
+    {
+        largest = max(largest, machNumberSqr(c));
+    }
+    scalar total = 0;
+    vector place(Zero);
+    label nFaces = 0;
+    for (const gasMesh::patchRange& patch : geometry_.patches())
+    {
+        const bool shut = frictionless_[patch.patchi] && !patch.image();
+        const label end = patch.start + patch.size;
+        for (label f = shut ? patch.start : end; f < end; f++)
         {
-            const scalar V = geometry_.volume[c];
-            nCells++;
-            volume += V;
-            place += V*mesh_.cellCentres()[geometry_.meshCell[c]];
-            total += V*q[0]*eos_.stagnationRatio(MM);
+            const label c = geometry_.owner[f];
+            const double p = primitive[c*nVar_];
+            const scalar MM = machNumberSqr(c);
+            if (p > leastPressure && MM < sqr(mostMach))
+            {
+                nFaces++;
+                place += mesh_.cellCentres()[geometry_.meshCell[c]];
+                total += p*eos_.stagnationRatio(MM);
+            }
         }
     }
     reduce(largest, maxOp<scalar>());
-    reduce(nCells, sumOp<label>());
-    reduce(volume, sumOp<scalar>());
+    reduce(nFaces, sumOp<label>());
     reduce(total, sumOp<scalar>());
     reduce(place, sumOp<vector>());
 
     // (a captured shock may overshoot by some per cent)
     const bool expands = largest > sqr(1.05*streamMach);
-    const scalar lost = nCells ? 1 - total/(volume*pitot) : 0;
+    const scalar lost = nFaces ? 1 - total/(nFaces*pitot) : 0;
     if (lost < -accuracy)
     {
         WarningInFunction
-            << "In " << nCells << " cells around " << place/volume
+            << "At " << nFaces << " faces of walls around " << place/nFaces
             << " the gas comes nearly to rest, and its total pressure is "
             << -100*lost << " % above that behind a normal shock of the"
             << " stream. That is right behind weaker shocks, before a blunt"
@@ -241,7 +253,7 @@ void Foam::gasEquations::reportStagnation() const
     if (!expands && lost > accuracy)
     {
         WarningInFunction
-            << "In " << nCells << " cells around " << place/volume
+            << "At " << nFaces << " faces of walls around " << place/nFaces
             << " the gas comes nearly to rest, and its total pressure is "
             << 100*lost << " % below that behind a normal shock of the"
             << " stream, the least that one shock leaves. The gas is steady,"
