@@ -43,8 +43,12 @@ inline double smoothStep(const double x)
 
 
 //- Share 0..1 of a face in a shock, by how much the pressure rises along the
-//  flow within the distance delta between two cells, in parts of itself: 0 up
-//  to least, 1 from least + 0.1 on.
+//  flow within the distance delta between two cells, or in their extent in the
+//  direction of its gradient if that is less, in parts of itself: 0 up to
+//  least, 1 from least + 0.1 on. (Sides of a shock count as well. In cells that
+//  are long along a wall the pressure rises towards it by more than that within
+//  their length, without any shock.)
+//  \param inverseExtent  of both cells (gasMesh.H) [1/m]
 //  \param restSqr  square of a speed [m^2/s^2] of gas that is nearly at rest
 //  \param flatFrom  rise of pressure from which on cells are uniform
 //  \param flat  share 0..1 in which they are: 1 from twice that rise on
@@ -57,6 +61,8 @@ inline double shareInShock
     const double* far,
     const double* gradientOwner,
     const double* gradientFar,
+    const double* inverseExtentOwner,
+    const double* inverseExtentFar,
     const double* delta,
     const double least,
     const double restSqr,
@@ -89,9 +95,24 @@ inline double shareInShock
     for (int side = 0; side < 2; side++)
     {
         const double low = min(owner[0], far[0]);
-        if (ug[side] > 0 && gg[side]*dd > sqr(least*low))
+        if (!(ug[side] > 0 && gg[side]*dd > sqr(least*low)))
         {
-            const double jump = std::sqrt(gg[side]*dd)/low;
+            continue;
+        }
+
+        const double* g = side ? gradientFar : gradientOwner;
+        const double* inverse = side ? inverseExtentFar : inverseExtentOwner;
+        double across = 0;
+        for (int d = 0; d < nDim*nDim; d++)
+        {
+            across +=
+                inverse[d]*g[(d/nDim)*(nDim + 2)]*g[(d % nDim)*(nDim + 2)];
+        }
+        const double rise =
+            min(std::sqrt(gg[side]*dd), gg[side]*std::sqrt(gg[side])/across);
+        if (rise > least*low)
+        {
+            const double jump = rise/low;
             // Gas at rest but for round-off has no direction
             const double along =
                 ug[side]/std::sqrt(max(uu[side], restSqr)*gg[side]);
@@ -297,6 +318,7 @@ void Foam::gasEquations::readFaces
     // first and last cells need the flux of the shock as well: without it the
     // total temperature behind is off by twice as much
     const double leastRise = geometry_.anyUnaligned ? 0.1 : 0.2;
+    const double* extent = geometry_.inverseExtent.data();
     state.shocked = false;
     state.anyInvalid = false;
     for (int i = 0; i < n; i++)
@@ -323,6 +345,7 @@ void Foam::gasEquations::readFaces
           ? shareInShock<nDim>
             (
                 qo, qr, g + o*(nVar*nDim), g + r*(nVar*nDim),
+                extent + o*(nDim*nDim), extent + r*(nDim*nDim),
                 &geometry_.delta[f*nDim], leastRise,
                 0.5e-4*eos_.R*(qo[1] + qr[1]),
                 flatFrom_, state.flat[i], strongRise, state.strong[i]

@@ -385,6 +385,50 @@ void Foam::gasMesh::setCells()
 }
 
 
+void Foam::gasMesh::setExtents()
+{
+    // Half of the areas of the faces, each in the direction of its normal, over
+    // the volume: of a box the inverse lengths of its edges
+    const int n = nDim_*nDim_;
+    inverseExtent.assign(nSlots()*n, 0);
+    const auto add = [&](const label f, const bool internal)
+    {
+        for (int k = 0; k < n; k++)
+        {
+            const double half =
+                0.5*area[f]*normal[f*nDim_ + k/nDim_]
+               *normal[f*nDim_ + k % nDim_];
+            inverseExtent[owner[f]*n + k] += half/volume[owner[f]];
+            if (internal)
+            {
+                inverseExtent[far[f]*n + k] += half/volume[far[f]];
+            }
+        }
+    };
+    for (label f = 0; f < nInternal_; f++)
+    {
+        add(f, true);
+    }
+    for (const patchRange& patch : patches_)
+    {
+        // (nothing changes from one side of a wedge to the other)
+        const label end = patch.start + (patch.wedge ? 0 : patch.size);
+        for (label f = patch.start; f < end; f++)
+        {
+            add(f, false);
+        }
+    }
+    for (label f = nInternal_; f < nFaces_; f++)
+    {
+        std::copy_n
+        (
+            &inverseExtent[owner[f]*n], n, &inverseExtent[far[f]*n]
+        );
+    }
+    exchange(inverseExtent.data(), n);
+}
+
+
 Foam::gasMesh::gasMesh(const fvMesh& mesh, const bool swirls)
 :
     mesh_(mesh),
@@ -398,6 +442,7 @@ Foam::gasMesh::gasMesh(const fvMesh& mesh, const bool swirls)
     setCells();
     setGasBehind();
     sendBuffer_.setSize(mesh.boundaryMesh().size());
+    setExtents();
     setAxis();
     setTurning();
 }

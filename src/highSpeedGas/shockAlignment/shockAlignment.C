@@ -73,7 +73,7 @@ Foam::shockAlignment::shockAlignment(fvMesh& mesh, const dictionary& dict)
     bandWidth_ = getNumber(dict, "bandWidth", "[0.001, 1]", scalar(0.06));
     wallShare_ = getNumber(dict, "wallShare", "[0, 0.9]", scalar(0));
     wallWidth_ = getNumber(dict, "wallWidth", "[0.001, 1]", scalar(0.1));
-    rounds_ = getNumber<label>(dict, "rounds", "[1, 100]", 10);
+    rounds_ = getNumber<label>(dict, "rounds", "[1, 100]", 15);
     if (bandShare_ + wallShare_ > 0.9)
     {
         refuse
@@ -247,6 +247,11 @@ bool Foam::shockAlignment::follows(const volScalarField& p)
     Info<< "Shock: moved by " << 100*change_ << " % of its distance, by "
         << 100*changes[worst] << " % at " << lines_[worst][0] << endl;
     nAtRest_ = change_ < tolerance_ && !narrows_ ? nAtRest_ + 1 : 0;
+    if (rests() && width_ > 0.5)
+    {
+        // Some cells from the body for good
+        refuseAttached(nearest);
+    }
     return rests();
 }
 
