@@ -247,7 +247,7 @@ bool Foam::shockAlignment::follows(const volScalarField& p)
     Info<< "Shock: moved by " << 100*change_ << " % of its distance, by "
         << 100*changes[worst] << " % at " << lines_[worst][0] << endl;
     nAtRest_ = change_ < tolerance_ && !narrows_ ? nAtRest_ + 1 : 0;
-    if (rests() && width_ > 0.5)
+    if (rests() && width_ > max(0.5, bandWidth_))
     {
         // Some cells from the body for good
         refuseAttached(nearest);

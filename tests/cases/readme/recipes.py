@@ -102,7 +102,8 @@ def air(case):
 
 
 def percents(log, end):
-    """How often a log says how far the run is, and where that is wrong."""
+    """How often a log says how far the run is, how many tenths of it have
+    passed, and where what it says is wrong."""
     said, wrong, time = 0, [], None
     for line in log.split("\n"):
         found = re.match(r"Time = (\S+)$", line)
@@ -112,7 +113,7 @@ def percents(log, end):
             said += 1
             if int(found.group(1)) != int(100*time/end + 1e-6):
                 wrong.append((time, line))
-    return said, wrong
+    return said, int(10*time/end + 1e-6), wrong
 
 
 def table(case, name):
@@ -253,8 +254,8 @@ def main():
         last = os.path.join(case, must(case, "foamListTimes",
                                        "-latestTime").split()[-1])
         with open(os.path.join(case, "log.dust")) as file:
-            said, wrong = percents(file.read(), 5e-3)
-        good &= said > 5 and not wrong
+            said, tenths, wrong = percents(file.read(), 5e-3)
+        good &= said >= tenths >= 1 and not wrong
         missing = [f for f in ("dust:dust:concentration",
                                "dust:impacts:intensity")
                    if not os.path.isfile(os.path.join(last, f))]
