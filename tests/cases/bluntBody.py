@@ -135,6 +135,19 @@ def prepare(case, body, cells, outer, M, gas=None, flux="HLLC",
         write_field(case, name, value, boundary)
 
 
+def before(case, cells, M):
+    """Of a case of between(): total pressure in the cell at the nose over the
+    exact one less 1, and of all cells, layer by layer, the pressure, and the
+    total enthalpy over the stream's less 1."""
+    p, t, U = (x.reshape(cells[1], cells[0], -1)
+               for x in last_fields(case, "p T U"))
+    p, t, uu = p[..., 0], t[..., 0], (U**2).sum(axis=2)
+    nose = 0, -1
+    rest = (p[nose]*(1 + 0.2*uu[nose]/(GAMMA*R_GAS*t[nose]))**3.5
+            / (P*pitot(M)) - 1)
+    return rest, p, (CP*t + 0.5*uu)/(CP*T + 0.5*(M*SOUND)**2) - 1
+
+
 def told_at_nose(case, text, M):
     """What a log warns of, the total pressure of gas that has come nearly to
     rest at the body: (per cent above that behind a normal shock, or nothing;

@@ -7,6 +7,7 @@
 #include "completeWrite.H"
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace Foam
 {
@@ -619,13 +620,11 @@ void Foam::gasEquations::reportInvalidCells()
 
 bool Foam::gasEquations::calm()
 {
-    const bool any = anyInvalid_;
-    if (any)
+    if (anyInvalid_)
     {
         std::fill(invalid_.begin(), invalid_.end(), 0);
-        anyInvalid_ = false;
     }
-    return any;
+    return std::exchange(anyInvalid_, false);
 }
 
 

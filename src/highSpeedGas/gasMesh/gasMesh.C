@@ -418,12 +418,36 @@ void Foam::gasMesh::setExtents()
             add(f, false);
         }
     }
-    for (label f = nInternal_; f < nFaces_; f++)
+    for (const patchRange& patch : patches_)
     {
-        std::copy_n
-        (
-            &inverseExtent[owner[f]*n], n, &inverseExtent[far[f]*n]
-        );
+        for (label f = patch.start; f < patch.start + patch.size; f++)
+        {
+            const double* of = &inverseExtent[owner[f]*n];
+            double* ghost = &inverseExtent[far[f]*n];
+            std::copy_n(of, n, ghost);
+            if (!patch.symmetry)
+            {
+                continue;
+            }
+
+            // Of the image
+            const double* N = &normal[f*nDim_];
+            double across[3] = {0, 0, 0};
+            double through = 0;
+            for (int k = 0; k < n; k++)
+            {
+                across[k/nDim_] += of[k]*N[k % nDim_];
+                through += of[k]*N[k/nDim_]*N[k % nDim_];
+            }
+            for (int k = 0; k < n; k++)
+            {
+                const int i = k/nDim_;
+                const int j = k % nDim_;
+                ghost[k] +=
+                    4*through*N[i]*N[j]
+                  - 2*(N[i]*across[j] + across[i]*N[j]);
+            }
+        }
     }
     exchange(inverseExtent.data(), n);
 }

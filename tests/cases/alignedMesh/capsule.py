@@ -6,8 +6,8 @@ percent of its total energy and less. Stands in a temporary folder."""
 import re
 
 import numpy as np
-from bluntBody import CP, P, SOUND, T, between, pitot
-from caseTools import GAMMA, R_GAS, last_fields, must, solve, verdict
+from bluntBody import before, between
+from caseTools import must, solve, verdict
 
 # Radii of the cap, of the corner and of the rim [m]
 CAP, CORNER, RIM = 4.69, 0.2, 1.95
@@ -32,15 +32,8 @@ for M in 10, 25:
             (re.findall(r"Mesh: follows.*|The shock still.*", text)
              or ["said nothing"])[0])
     solve(case)
-    p, t, U = (x.reshape(CELLS[1], CELLS[0], -1)
-               for x in last_fields(case, "p T U"))
-    uu = (U**2).sum(axis=2)
-    nose = 0, -1
-    rest = (p[nose][0]*(1 + 0.2*uu[nose]/(GAMMA*R_GAS*t[nose][0]))**3.5
-            / (P*pitot(M)) - 1)
-    H = (CP*t[..., 0] + 0.5*uu)/(CP*T + 0.5*(M*SOUND)**2) - 1
-    behind = p[..., 0] > 0.3*p.max()
-    scatter = np.sqrt(np.mean(H[behind]**2))
+    rest, p, H = before(case, CELLS, M)
+    scatter = np.sqrt(np.mean(H[p > 0.3*p.max()]**2))
     verdict(case, abs(rest) < 1e-3 and scatter < 2e-3,
             f"total pressure at the nose {100*rest:+.3f} % of Rayleigh's, total"
             f" enthalpy before the face within {100*scatter:.3f} % (root mean"
