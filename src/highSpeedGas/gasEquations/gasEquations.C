@@ -610,8 +610,8 @@ void Foam::gasEquations::reportInvalidCells()
         << " help"
         << (
                coupled_
-             ? ", or a shorter time step, sourceSmoothing or, in steady gas, a"
-               " smaller relaxation in feedback."
+             ? ", or a shorter time step, lighter parcels (weighting radial in"
+               " wedges), sourceSmoothing or a smaller relaxation in feedback."
              : "."
            )
         << exit(FatalError);

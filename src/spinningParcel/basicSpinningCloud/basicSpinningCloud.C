@@ -396,6 +396,12 @@ void Foam::basicSpinningCloud::info()
         {
             Info<< "    Ways along faces between cells  = " << nSlides << nl;
         }
+        const scalar heaviest =
+            returnReduce(statistics_.heaviest, maxOp<scalar>());
+        if (heaviest > 0)
+        {
+            Info<< "    Heaviest parcel / gas of cell   = " << heaviest << nl;
+        }
         const scalar time = total(statistics_.time);
         const scalar forced = total(statistics_.forcedTime);
         if (forced > 0.01*time && !warnedOfForced_)

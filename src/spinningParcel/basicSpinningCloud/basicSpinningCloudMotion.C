@@ -261,6 +261,10 @@ void Foam::basicSpinningCloud::changeGas
         force.done();
 
         const scalar W = p.nParticle()*p.mass();
+        statistics_.heaviest = max
+        (
+            statistics_.heaviest, W/(rho()[p.cell()]*mesh.V()[p.cell()])
+        );
         impact::jointExchange& sum = exchanges_[p.cell()];
         sum.addMotion(W, dt, here, state.v, rate.k);
         if constexpr (impact::particleMotion::thermal<State>)
