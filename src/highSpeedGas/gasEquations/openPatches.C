@@ -217,7 +217,7 @@ bool Foam::gasEquations::subsonicOutlet() const
 }
 
 
-void Foam::gasEquations::reportOpenPatches(const bool steady) const
+void Foam::gasEquations::reportShockedInlets(const bool steady) const
 {
     // Of pressures, through a normal shock at Mach number 1.2
     const scalar jump = 1.5;
@@ -234,6 +234,54 @@ void Foam::gasEquations::reportOpenPatches(const bool steady) const
         }
         scalar all = 0;
         scalar shocked = 0;
+        for (label f = patch.start; f < patch.start + patch.size; f++)
+        {
+            double a;
+            const double* outside = &primitive[geometry_.far[f]*nVar_];
+            const double* inside = &primitive[geometry_.owner[f]*nVar_];
+            const double un = outwardSpeed(f, outside, a);
+            double uu = 0;
+            for (int d = 2; d < nVar_; d++)
+            {
+                uu += outside[d]*outside[d];
+            }
+            all += geometry_.area[f];
+            if (un < 0 && uu > a*a && inside[0] > jump*outside[0])
+            {
+                shocked += geometry_.area[f];
+            }
+        }
+        reduce(all, sumOp<scalar>());
+        reduce(shocked, sumOp<scalar>());
+        if (shocked > least*all)
+        {
+            WarningInFunction
+                << "A shock stands at " << 100*shocked/all << " % of patch "
+                << mesh_.boundary()[patch.patchi].name()
+                << ", through which gas comes in faster than sound. The patch"
+                << " must lie farther out, before the shock"
+                << (
+                       shocked > 0.9*all
+                     ? ", unless the gas that was inside at the start throws"
+                       " the stream back: start from the stream then"
+                     : ""
+                   )
+                << endl;
+        }
+    }
+}
+
+
+void Foam::gasEquations::reportOpenPatches(const bool steady) const
+{
+    reportShockedInlets(steady);
+    for (const gasMesh::patchRange& patch : geometry_.patches())
+    {
+        if (patch.coupled || patch.image())
+        {
+            continue;
+        }
+        scalar all = 0;
         scalar returning = 0;
         scalar choked = 0;
         scalar driven = 0;
@@ -258,10 +306,6 @@ void Foam::gasEquations::reportOpenPatches(const bool steady) const
                 uu += outside[d]*outside[d];
             }
             all += geometry_.area[f];
-            if (un < 0 && uu > a*a && inside[0] > jump*outside[0])
-            {
-                shocked += geometry_.area[f];
-            }
             choked +=
                 fed_[patch.patchi] && un < -0.999*a ? geometry_.area[f] : 0;
 
@@ -293,28 +337,12 @@ void Foam::gasEquations::reportOpenPatches(const bool steady) const
             returning += un < -1e-3*a ? geometry_.area[f] : 0;
         }
         reduce(all, sumOp<scalar>());
-        reduce(shocked, sumOp<scalar>());
         reduce(returning, sumOp<scalar>());
         reduce(choked, sumOp<scalar>());
         reduce(driven, sumOp<scalar>());
         reduce(unfelt, sumOp<scalar>());
         reduce(slow, sumOp<scalar>());
         reduce(compressed, maxOp<scalar>());
-        if (shocked > least*all)
-        {
-            WarningInFunction
-                << "A shock stands at " << 100*shocked/all << " % of patch "
-                << mesh_.boundary()[patch.patchi].name()
-                << ", through which gas comes in faster than sound. The patch"
-                << " must lie farther out, before the shock"
-                << (
-                       shocked > 0.9*all
-                     ? ", unless the gas that was inside at the start throws"
-                       " the stream back: start from the stream then"
-                     : ""
-                   )
-                << endl;
-        }
         if (choked > 0.01*all)
         {
             WarningInFunction

@@ -96,6 +96,13 @@ void Foam::steadySolution::report(const char* method, const scalar Co) const
 {
     if (iterations_/settings_.reportEvery > reported_/settings_.reportEvery)
     {
+        // Time enough for a shock of the start to pass, and early enough for a
+        // user to stop a run that cannot end well
+        const label patience = 1000;
+        if (reported_ < patience && iterations_ >= patience)
+        {
+            equations_.reportShockedInlets(true);
+        }
         reported_ = iterations_;
         const label k = imbalance_.worst();
         Info<< "Gas: iteration " << iterations_ << ", " << method
