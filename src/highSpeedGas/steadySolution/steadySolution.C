@@ -109,6 +109,11 @@ void Foam::steadySolution::report(const char* method, const scalar Co) const
             << ", Courant number " << Co << ", imbalance of " << imbalance_
             << ", most of " << gasImbalance::names[k] << " in the cell at "
             << imbalance_.place[k];
+        if (imbalance_.value() <= settings_.residual)
+        {
+            Info<< ", balance of mass " << imbalance_.massBalance
+                << ", of total enthalpy " << imbalance_.enthalpyBalance;
+        }
         if (equations_.turbulent())
         {
             Info<< ", change of eddies " << eddyChange_;
