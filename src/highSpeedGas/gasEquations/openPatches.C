@@ -4,11 +4,18 @@
 
 #include "gasEquations.H"
 #include "StringStream.H"
+#include <numeric>
 
 namespace
 {
 
 using namespace Foam;
+
+//- Speed squared [m^2/s^2] of primitive variables p, T, u
+double speedSquared(const double* q, const int nVar)
+{
+    return std::inner_product(q + 2, q + nVar, q + 2, 0.0);
+}
 
 //- Whether a condition on p takes the total pressure for that of a gas of
 //  constant density
@@ -240,11 +247,7 @@ void Foam::gasEquations::reportShockedInlets(const bool steady) const
             const double* outside = &primitive[geometry_.far[f]*nVar_];
             const double* inside = &primitive[geometry_.owner[f]*nVar_];
             const double un = outwardSpeed(f, outside, a);
-            double uu = 0;
-            for (int d = 2; d < nVar_; d++)
-            {
-                uu += outside[d]*outside[d];
-            }
+            const double uu = speedSquared(outside, nVar_);
             all += geometry_.area[f];
             if (un < 0 && uu > a*a && inside[0] > jump*outside[0])
             {
@@ -300,11 +303,7 @@ void Foam::gasEquations::reportOpenPatches(const bool steady) const
             const double* outside = &primitive[geometry_.far[f]*nVar_];
             const double* inside = &primitive[geometry_.owner[f]*nVar_];
             const double un = outwardSpeed(f, outside, a);
-            double uu = 0;
-            for (int d = 2; d < nVar_; d++)
-            {
-                uu += outside[d]*outside[d];
-            }
+            const double uu = speedSquared(outside, nVar_);
             all += geometry_.area[f];
             choked +=
                 fed_[patch.patchi] && un < -0.999*a ? geometry_.area[f] : 0;
