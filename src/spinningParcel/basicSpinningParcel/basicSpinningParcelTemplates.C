@@ -215,32 +215,36 @@ void Foam::basicSpinningParcel::hitWedgePatch
         x
       + ((toHere - nm*toThere)*n + (toThere - nm*toHere)*m)/(1 - sqr(nm));
 
-    const tensor R = rotationTensor(n, -m);
     const scalar reach = 1e-9*sqrt(mag(mesh.faceAreas()[face()]));
+    point to;
     if (mag(toThere) > reach)
     {
-        if ((U() & n) > 0)
+        if ((U() & n) <= 0)
         {
-            const point p = axis + (R & (x - axis));
-            const convexCells& cells = cloud.cells();
-            const label celli = cells.locate(cell(), toCore(p));
-            tetPlace::put(*this, cells, toCore(p), celli, -1);
-            transformProperties(R);
+            return;
         }
-        return;
+        const tensor R = rotationTensor(n, -m);
+        to = axis + (R & (x - axis));
+        transformProperties(R);
     }
-
-    // On the axis, out of which it goes where the sector is
-    const tensor turn = (U() & n) > (U() & m) ? R : R.T();
-    const auto goesOut = [&]
+    else
     {
-        const scalar least = 1e-14*mag(U());
-        return (U() & n) > least || (U() & m) > least;
-    };
-    for (label i = 0; i < 10000 && goesOut(); ++i)
-    {
-        transformProperties(turn);
+        // Its azimuth is rounding: it is past the axis, and goes out from there
+        // in the middle of the sector with the velocity about the axis that it
+        // has. On the planes it would be at the next at once
+        const vector outward = -normalised(n + m);
+        const vector along = normalised(n ^ m);
+        const scalar r = mag(x - axis);
+        const vector e = r > VSMALL ? (x - axis)/r : outward;
+        const vector w = U() - (U() & along)*along;
+        const vector v =
+            mag(w & e)*outward + (w & (along ^ e))*(along ^ outward);
+        to = axis + max(r, reach)*outward;
+        transformProperties(Ra(along, std::atan2(along & (w ^ v), w & v)));
     }
+    const convexCells& cells = cloud.cells();
+    const label celli = cells.locate(cell(), toCore(to));
+    tetPlace::put(*this, cells, toCore(to), celli, -1);
 }
 
 

@@ -10,7 +10,6 @@
 #include "interpolationCellLinear.H"
 #include "trackingCells.H"
 #include "wallGasVelocity.H"
-#include "wedgePoints.H"
 #include "wedgePolyPatch.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -178,6 +177,45 @@ void Foam::cellGas::bind(field& f, const UList<condition>& all)
 }
 
 
+void Foam::cellGas::bindAxis()
+{
+    for (const wedgePoints::axisCell& a : axisCells_)
+    {
+        field& f = cells_[a.cell];
+        for (const int offset : {0, 3})
+        {
+            const double* q = &f.value.u.x + offset;
+            const vector value(q[0], q[1], q[2]);
+            const scalar spread = (value & a.outward)/a.r;
+            const scalar turn = (value & a.around)/a.r;
+
+            // Change of the derivatives away from the axis and about it
+            vector away = spread*a.outward + turn*a.around;
+            vector about = spread*a.around - turn*a.outward;
+            for (direction j = 0; j < 3; ++j)
+            {
+                for (direction d = 0; d < 3; ++d)
+                {
+                    away[j] -= a.outward[d]*f.slope[d][offset + j];
+                    about[j] -= a.around[d]*f.slope[d][offset + j];
+                }
+            }
+
+            // What is along the axis changes with the distance as it did
+            away -= (away & a.axis())*a.axis();
+            for (direction d = 0; d < 3; ++d)
+            {
+                const vector change = a.outward[d]*away + a.around[d]*about;
+                for (direction j = 0; j < 3; ++j)
+                {
+                    f.slope[d][offset + j] += change[j];
+                }
+            }
+        }
+    }
+}
+
+
 void Foam::cellGas::bindWalls(const volVectorField& U)
 {
     const boolList bound(wallGasVelocity::boundPatches(U));
@@ -273,6 +311,13 @@ void Foam::cellGas::bindWalls(const volVectorField& U)
                 }
             }
             k += nTriangles;
+        }
+    }
+    for (const wedgePoints::axisCell& a : axisCells_)
+    {
+        if (conditions[a.cell].size())
+        {
+            conditions[a.cell].append(condition{-a.outward, a.r, 0});
         }
     }
     forAll(conditions, celli)
@@ -379,6 +424,7 @@ Foam::cellGas::cellGas(const fvMesh& mesh, const word& scheme)
         {
             fieldOf_[k] = convex_.meshCell(k);
         }
+        axisCells_ = wedgePoints::axisCells(mesh);
         return;
     }
 
@@ -549,6 +595,7 @@ void Foam::cellGas::update
             f.minima[1] = 0.5*f.value.mu;
             f.minima[2] = 0.5*f.value.T;
         }
+        bindAxis();
         bindWalls(U);
         lookBeyond();
         return;
@@ -621,6 +668,7 @@ void Foam::cellGas::change
             f.value.T += by[celli].T;
             f.minima[2] = std::min(f.minima[2], 0.5*f.value.T);
         }
+        bindAxis();
         bindWalls(U);
         lookBeyond();
         return;
