@@ -68,6 +68,44 @@ for diameter, ranks in (3e-7, 1), (1e-7, 1), (1e-8, 1), (1e-9, 1), (1e-8, 2):
             f"{away:.1e} of the length off the face, along it within"
             f" {100*late:.2f} %, {steps:g} sub-steps of two grains")
 
+# Gas that points to an edge from all four cells around it: they slide along
+# the edge, between faces at right angles or not, and between ranks
+SIZE = 0.01
+for skew, diameter, ranks in ((0, 1e-6, 1), (0, 1e-8, 1), (0.5, 1e-6, 1),
+                              (-0.5, 1e-8, 1), (0.5, 1e-8, 2), (0, 1e-8, 4)):
+    case = f"edge_{skew:g}_{diameter:g}_{ranks}"
+    prepare(case, "frozen", dt, diameter, 1e-3, "no")
+    shear = [(x, y + skew*z, z) for x, y, z in box((SIZE, SIZE, SIZE))]
+    write_block(case, shear, (4, 4, 4),
+                {s + e: "patch" for s in "xyz" for e in ("Min", "Max")})
+    must(case, "blockMesh")
+    quarter = np.arange(4) < 2
+    inward = np.where(quarter, 10., -10.)
+    v, w = np.meshgrid(inward, inward, indexing="xy")
+    U = np.zeros((4, 4, 4, 3))
+    U[..., 0] = 2
+    U[..., 1] = (v + skew*w)[:, :, None]
+    U[..., 2] = w[:, :, None]
+    write_field(case, "U", U.reshape(-1, 3), dict.fromkeys(
+        (s + e for s in "xyz" for e in ("Min", "Max")), "type zeroGradient;"))
+    edge = 0.5*SIZE*np.array([1 + skew, 1])
+    write_cloud(case, "dust", "type rakeInjection;"
+                f" start (1e-3 {edge[0] - 2e-5} {edge[1] - 1e-5});"
+                f" end (4e-3 {edge[0] + 1e-5} {edge[1] + 3e-5}); nParcels 2;"
+                f" diameter {diameter!r}; U0 (2 0 0);", forces="sphereDrag;")
+    if ranks > 1:
+        decompose(case, (1, 2, ranks//2))
+    log = solve(case, ranks)
+    if ranks > 1:
+        must(case, "reconstructPar")
+    x = positions(f"{case}/{times_of(case)[-1]}/lagrangian/dust")[0]
+    steps = float(re.findall(r"Sub-steps, .*= (\S+),", log)[-1])
+    away = np.abs(x[:, 1:] - edge).max()/SIZE
+    late = np.abs(np.sort(x[:, 0]) - (1e-3, 4e-3) - 2*dt).max()/(2*dt)
+    verdict(case, len(x) == 2 and away < 1e-4 and late < 1e-3 and steps < 100,
+            f"{away:.1e} of the size off the edge, along it within"
+            f" {100*late:.2f} %, {steps:g} sub-steps of two grains")
+
 # A grain that settles through gas that hardly moves does not stop at the face
 case = "settles"
 drift = np.array([(0, 0, 0), (1, 0, 0), (-1, 0, 0), (0, 0, 0)], float)
