@@ -168,6 +168,18 @@ mu = 1.458e-6*np.sqrt(250.0)/(1 + 110.4/250.0)
 rho = 3e4/(R_GAS*250.0)
 
 
+def runge_kutta(slope, y, n):
+    """State after the duration, by n classical steps of fourth order."""
+    h = DURATION/n
+    for _ in range(n):
+        k1 = slope(y)
+        k2 = slope(y + 0.5*h*k1)
+        k3 = slope(y + 0.5*h*k2)
+        k4 = slope(y + h*k3)
+        y = y + h*(k1 + 2*k2 + 2*k3 + k4)/6
+    return y
+
+
 def slope(y):
     r, radial, around = y
     rel = np.array([-radial, 20 - around])
@@ -178,13 +190,7 @@ def slope(y):
 
 
 y = np.array([np.linspace(0.012, 0.06, 9), np.zeros(9), np.full(9, 20.0)])
-h = DURATION/4000
-for _ in range(4000):
-    k1 = slope(y)
-    k2 = slope(y + 0.5*h*k1)
-    k3 = slope(y + 0.5*h*k2)
-    k4 = slope(y + h*k3)
-    y = y + h*(k1 + 2*k2 + 2*k3 + k4)/6
+y = runge_kutta(slope, y, 4000)
 for scheme in "cellLinear", "cellPoint":
     folder = f"{swirl}/{times_of(swirl)[-1]}/lagrangian/{scheme}"
     order = np.argsort(read_field(f"{folder}/origId"))
@@ -239,13 +245,7 @@ for name, diameter in SINKS.items():
         return np.array([u, 18*mu/(2500*diameter**2)*(1 + Re**(2/3)/6)*rel])
 
     y = np.array([np.linspace(1e-9, 0.0046, 9), np.zeros(9)], complex)
-    h = DURATION/20000
-    for _ in range(20000):
-        k1 = motion(y)
-        k2 = motion(y + 0.5*h*k1)
-        k3 = motion(y + 0.5*h*k2)
-        k4 = motion(y + h*k3)
-        y = y + h*(k1 + 2*k2 + 2*k3 + k4)/6
+    y = runge_kutta(motion, y, 20000)
     folder = f"{sink}/{times_of(sink)[-1]}/lagrangian/{name}"
     order = np.argsort(read_field(f"{folder}/origId"))
     x, u = positions(folder)[0][order], read_field(f"{folder}/U")[order]
