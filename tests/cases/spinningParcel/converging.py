@@ -7,9 +7,9 @@ import re
 
 import numpy as np
 
-from caseTools import (box, decompose, last_fields, must, read_field, solve,
-                       times_of, verdict, write_block, write_case, write_field,
-                       write_foam)
+from caseTools import (box, decompose, edit, last_fields, must, read_field,
+                       solve, times_of, verdict, write_block, write_case,
+                       write_field, write_foam)
 from foamFiles import positions
 from spinningCloud import write_cloud
 
@@ -105,6 +105,61 @@ for skew, diameter, ranks in ((0, 1e-6, 1), (0, 1e-8, 1), (0.5, 1e-6, 1),
     verdict(case, len(x) == 2 and away < 1e-4 and late < 1e-3 and steps < 100,
             f"{away:.1e} of the size off the edge, along it within"
             f" {100*late:.2f} %, {steps:g} sub-steps of two grains")
+
+# The axis of a pipe, in which as many cells meet as there are slices: grains
+# that come to it go along it as fast as the gas, between ranks, too
+LONG, SLICES = 0.1, 16
+turn = 2*np.pi/SLICES*np.arange(SLICES)
+rim = [(x, 0.05*np.cos(a), 0.05*np.sin(a)) for a in turn for x in (0, LONG)]
+slices = [(2 + 2*i, 2 + 2*((i + 1) % SLICES)) for i in range(SLICES)]
+
+
+def corners(points):
+    return "(" + " ".join(map(str, points)) + ")"
+
+
+for diameter, ranks in (2e-6, 1), (2e-7, 1), (1e-8, 1), (2e-7, 2):
+    case, dt = f"axis_{diameter:g}_{ranks}", 0.01
+    prepare(case, "frozen", dt, diameter, 1e-3, "no")
+    edit(case, "system/controlDict", "deltaT 0.01;", "deltaT 1e-5;")
+    write_foam(case, "system/blockMeshDict", "scale 1; vertices ("
+               + " ".join(f"({x!r} {y!r} {z!r})" for x, y, z in
+                          [(0.0, 0.0, 0.0), (LONG, 0.0, 0.0), *rim])
+               + "); edges (); blocks ("
+               + " ".join(f"hex (0 1 {p + 1} {p} 0 1 {q + 1} {q}) (10 5 1)"
+                          " simpleGrading (1 1 1)" for p, q in slices)
+               + "); boundary (ends { type patch; faces ("
+               + " ".join(corners((0, p, q, 0)) + corners((1, p + 1, q + 1, 1))
+                          for p, q in slices)
+               + "); } side { type patch; faces ("
+               + " ".join(corners((p, p + 1, q + 1, q)) for p, q in slices)
+               + "); });")
+    must(case, "blockMesh")
+    plain = dict.fromkeys(("ends", "side"), "type zeroGradient;")
+    for name, value in ("p", P), ("T", T), ("U", (0, 0, 0)):
+        write_field(case, name, value, plain)
+    must(case, "postProcess", "-func", "writeCellCentres", "-time", "0")
+    y, z = read_field(f"{case}/0/C")[:, 1:].T
+    inward = -1e3*(1 - 1e4*(y**2 + z**2))
+    write_field(case, "U", np.column_stack(
+        (np.full(len(y), 5.0), inward*y, inward*z)), plain)
+    write_cloud(case, "dust", "type rakeInjection; start (0.01 0.002 0.001);"
+                " end (0.04 0.004 0.003); nParcels 10;"
+                f" diameter {diameter!r}; U0 (5 0 0);", forces="sphereDrag;")
+    if ranks > 1:
+        decompose(case, (1, 2, 1))
+    log = solve(case, ranks)
+    if ranks > 1:
+        must(case, "reconstructPar")
+    x = positions(f"{case}/{times_of(case)[-1]}/lagrangian/dust")[0]
+    steps = float(re.findall(r"Sub-steps, .*= (\S+),", log)[-1])
+    away = np.hypot(x[:, 1], x[:, 2]).max()/LONG
+    late = np.abs((np.sort(x[:, 0]) - np.linspace(0.01, 0.04, 10))
+                  / (5*dt) - 1).max()
+    verdict(case, len(x) == 10 and away < 1e-9 and late < 1e-3
+            and steps < 3e5,
+            f"{away:.1e} of the length off the axis, along it within"
+            f" {100*late:.2f} %, {steps:g} sub-steps of ten grains")
 
 # A grain that settles through gas that hardly moves does not stop at the face
 case = "settles"
