@@ -104,6 +104,8 @@ Foam::steadyFeedback::steadyFeedback
     ),
     share_(0),
     newSources_(GREAT),
+    newCells_(0),
+    gasChange_(0),
     round_(0),
     nSteps_(0),
     rests_(false)
@@ -259,12 +261,15 @@ void Foam::steadyFeedback::endRound()
 
     const scalar F = larger(force_.field(), dF);
     const scalar P = larger(power_.field(), dP);
-    newSources_ = max(mag(gSum(dF))/F, mag(gSum(dP))/P);
+    const FixedList<scalar, 2> all{mag(gSum(dF))/F, mag(gSum(dP))/P};
+    const FixedList<scalar, 2> cells{gSum(mag(dF)())/F, gSum(mag(dP)())/P};
+    newSources_ = max(all[0], all[1]);
+    newCells_ = max(cells[0], cells[1]);
     Info<< "Gas: round " << round_ + 1 << " of the particles ends: they give "
         << gSum(force_.field()) << " N and " << gSum(power_.field())
-        << " W; new in both " << mag(gSum(dF))/F << ", " << mag(gSum(dP))/P
-        << ", cell by cell " << gSum(mag(dF)())/F << ", "
-        << gSum(mag(dP)())/P << ", of which " << share_ << " is taken" << endl;
+        << " W; new in both " << all[0] << ", " << all[1]
+        << ", cell by cell " << cells[0] << ", " << cells[1] << ", of which "
+        << share_ << " is taken" << endl;
 
     clearRound();
     round_++;
@@ -308,12 +313,12 @@ void Foam::steadyFeedback::compare
     }
 
     takeFelt();
-    scalar largest = 0;
+    gasChange_ = 0;
     Info<< "Gas: in round " << round_ << " p, T, U have changed by";
     for (int k = 0; k < 3; k++)
     {
         const scalar change = sums[k]/max(share_*sums[3 + k], VSMALL);
-        largest = max(largest, change);
+        gasChange_ = max(gasChange_, change);
         Info<< ' ' << change;
     }
 
@@ -321,19 +326,21 @@ void Foam::steadyFeedback::compare
     const bool given =
         gSum(mag(force_.field())()) > 0 || gSum(mag(power_.field())()) > 0;
     rests_ =
-        given && steady && largest <= tolerance_ && newSources_ <= tolerance_;
+        given && steady && max(gasChange_, newSources_) <= tolerance_;
     Info<< (rests_ ? ": gas and particles rest" : "") << endl;
     if (!rests_ && round_ == maxRounds_)
     {
         WarningInFunction
             << "Gas and particles do not rest after " << round_
-            << " rounds: in the last one the gas has changed by " << largest
+            << " rounds: in the last one the gas has changed by " << gasChange_
             << ", what the particles give by " << newSources_
             << ", tolerance " << tolerance_
             << (steady ? "" : ", and the gas is not steady")
             << (given ? "" : ". No particle has acted on it")
             << ". A longer window, more parcels or a smaller relaxation may"
-            << " help." << endl;
+            << " help.";
+        adviseOnScatter();
+        Info<< endl;
     }
     store();
 }
@@ -385,6 +392,23 @@ void Foam::steadyFeedback::receive
 }
 
 
+void Foam::steadyFeedback::adviseOnScatter() const
+{
+    // What comes nearer to rest has one sign in most cells, scatter has any
+    const scalar change = max(gasChange_, newSources_);
+    if (newSources_ > 0.3*newCells_ || change <= tolerance_)
+    {
+        return;
+    }
+    Info<< " What they give was new by " << newCells_
+        << " cell by cell, but by " << newSources_
+        << " in all: that is the scatter of few parcels. It lets them rest"
+        << " within a tolerance of " << change << "; for " << tolerance_
+        << " take about " << std::ceil(sqr(change/tolerance_))
+        << " times as many parcels, or a window as much longer.";
+}
+
+
 void Foam::steadyFeedback::warnUnlessAtRest() const
 {
     if (open())
@@ -392,6 +416,8 @@ void Foam::steadyFeedback::warnUnlessAtRest() const
         WarningInFunction
             << "The run has ended in round " << round_ + 1 << " of the"
             << " particles: they do not rest in the gas yet. Go on to a later"
-            << " endTime: a round takes " << delay_ + window_ << " s." << endl;
+            << " endTime: a round takes " << delay_ + window_ << " s.";
+        adviseOnScatter();
+        Info<< endl;
     }
 }
