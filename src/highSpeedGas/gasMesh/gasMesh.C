@@ -331,6 +331,25 @@ void Foam::gasMesh::setFaces()
 }
 
 
+void Foam::gasMesh::refuseInsideOut(const polyMesh& mesh, const char* remedy)
+{
+    const scalarField& V = mesh.cellVolumes();
+    const label worst = findMin(V);
+    if (worst >= 0 && V[worst] <= 0)
+    {
+        label n = 0;
+        for (const scalar volume : V)
+        {
+            n += volume <= 0;
+        }
+        FatalErrorInFunction
+            << "Cell " << worst << " at " << mesh.cellCentres()[worst]
+            << " is inside out, the worst of " << n << ": its volume is "
+            << V[worst] << " m3" << nl << remedy << exit(FatalError);
+    }
+}
+
+
 void Foam::gasMesh::setCells()
 {
     // Cells see what lies behind a face. Off the axis nothing does behind the
@@ -346,6 +365,7 @@ void Foam::gasMesh::setCells()
         }
     }
 
+    refuseInsideOut(mesh_, "Mend the mesh: checkMesh lists such cells");
     volume.resize(nCells_);
     for (label c = 0; c < nCells_; c++)
     {

@@ -4,6 +4,7 @@
 
 #include "shockAlignment.H"
 #include "checked.H"
+#include "gasMesh.H"
 #include "polyMeshTetDecomposition.H"
 #include "volFields.H"
 #include "wallPolyPatch.H"
@@ -159,29 +160,11 @@ void Foam::shockAlignment::findShock(const volScalarField& p)
         const label last = q.size() - 1;
 
         // The steepest fall of the pressure outwards, and the pressures some
-        // cells before and behind it. Next to an edge of the body a fall may
-        // be larger than that of each of the cells within the shock, but in
-        // proportion it is small (of a shock smeared out the parts are not)
-        scalar largest = 1;
-        const auto rise = [&](const label i)
+        // cells before and behind it
+        label steepest = 0;
+        for (label i = 1; i < last; i++)
         {
-            return max(q[max(i - 2, 0)], q[i])/q[min(i + 4, last)];
-        };
-        for (label i = 0; i < last; i++)
-        {
-            largest = max(largest, rise(i));
-        }
-        label steepest = -1;
-        for (label i = 0; i < last; i++)
-        {
-            if
-            (
-                pow3(rise(i)) >= largest
-             && (
-                    steepest < 0
-                 || q[i] - q[i + 1] > q[steepest] - q[steepest + 1]
-                )
-            )
+            if (q[i] - q[i + 1] > q[steepest] - q[steepest + 1])
             {
                 steepest = i;
             }
@@ -395,6 +378,13 @@ void Foam::shockAlignment::movePoints(const scalarField& spacing)
     mesh_.clearOut();
     mesh_.resetMotion();
     mesh_.moving(false);
+    gasMesh::refuseInsideOut
+    (
+        mesh_,
+        "Lines of the layers cross behind the outer boundary as it was, or in a"
+        " band too thin for their slope. Take lines that spread on their way"
+        " outwards, or a larger bandWidth"
+    );
 }
 
 

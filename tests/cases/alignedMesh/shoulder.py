@@ -1,7 +1,6 @@
 # parcelImpact. License: GPL-3.0-or-later, see COPYING.
-"""A flat-faced cylinder with a sharp shoulder: next to it the pressure at the
-wall falls by more per cell than in the shock, where no shock is; stands in a
-temporary folder."""
+"""A flat-faced cylinder, round whose shoulder the pressure at the wall falls
+steeply, where no shock is; stands in a temporary folder."""
 
 import re
 
@@ -17,7 +16,7 @@ turn = np.maximum(length - (1 - EDGE), 0)/EDGE
 body = np.column_stack([EDGE*(1 - np.cos(turn)), np.minimum(length, 1 - EDGE)
                         + EDGE*np.sin(turn)])
 angle = np.linspace(0, np.pi/2, 402)
-outer = np.column_stack([1.5 - 3*np.cos(angle), 3*np.sin(angle)])
+outer = np.column_stack([0.2 - 1.7*np.cos(angle), 3*np.sin(angle)])
 
 between("shoulder", body, outer, CELLS, MACH)
 text = must("shoulder", "alignMeshToShock")

@@ -6,8 +6,9 @@ import os
 
 import numpy as np
 from caseTools import (R_GAS, box, complaint, decompose, last_fields, must,
-                       read_field, refuses, run, times_of, verdict,
-                       write_block, write_case, write_field)
+                       read_field, read_points, refuses, run, times_of,
+                       verdict, write_block, write_case, write_field,
+                       write_points)
 
 N, DT, END = 100, 1e-6, 2e-5
 AT = 1e-5           # time at which the boundary condition goes wrong
@@ -115,6 +116,13 @@ for name, condition in ("T", "totalTemperature; gamma 1.4; T0"), (
     case = tube("inlet_total_" + name, inlet={
         name: f"type {condition} uniform -1; value uniform 1;"})
     refused(case, case, f"0 of {name}", "xMin", "-1", "must be positive")
+
+# One row of points beyond the next one
+points = read_points(tube("inside_out"))
+points[np.abs(points[:, 0] - 43/N) < 0.1/N, 0] += 1.5/N
+write_points("inside_out", points)
+refused("inside_out", "inside_out", "Cell 43", "inside out, the worst of 1",
+        "checkMesh")
 
 # The velocity of a boundary is looked at when the first step is
 poison(tube("inlet_U_nan"), "U", (float("nan"), 0, 0), patch=True)
