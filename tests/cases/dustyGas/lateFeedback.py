@@ -89,7 +89,8 @@ for case, thinner in ("same", 1), ("thinner", 0.5):
             and (p < 0.9) == (thinner < 1), f"p is {p:.2f} of that at the"
             f" start, {'' if found[0] else 'not '}marched anew")
 
-# Few parcels, at random: as close as the log says they rest, and no closer
+# Few parcels, at random: not within the tolerance, but within twice that which
+# the log names
 gas("few", (40, 8), "symmetryPlane")
 edit("few", "constant/sandProperties", "quiet", "random")
 edit("few", "constant/sandProperties", "nParticle 20", "nParticle 2000")
