@@ -262,13 +262,13 @@ struct AUSMPlusUp
         return (M >= 1 ? M : 0) + (abs(M) < 1 ? q*(1 + 2*r) : 0);
     }
 
-    //- Split pressure of the fifth degree, alpha = 3/16
-    static VECTOR_INLINE double weight(const double M)
+    //- Split pressure of the fifth degree, alpha = 3/16 (-4 + 5 f_a^2)
+    static VECTOR_INLINE double weight(const double M, const double fa)
     {
         const double m = max(-1, min(1, M));
         const double q = 0.25*(m + 1)*(m + 1);
         const double r = 0.25*(m - 1)*(m - 1);
-        return q*((2 - m) + 3*m*r);
+        return q*((2 - m) + (15*fa*fa - 12)*m*r);
     }
 
     template<int nDim>
@@ -291,11 +291,14 @@ struct AUSMPlusUp
           - 0.25*max(1 - M2, 0)*(R.p - L.p)/(rho*a*a);
         const double mass = a*M*(M > 0 ? L.rho : R.rho);
 
-        const double wL = weight(ML);
-        const double wR = weight(-MR);
+        const double M0 =
+            min(1, std::sqrt(max(L.uu, R.uu))/min(L.a, R.a));
+        const double fa = M0*(2 - M0);
+        const double wL = weight(ML, fa);
+        const double wR = weight(-MR, fa);
         const double p =
             wL*L.p + wR*R.p
-          - 0.75*wL*wR*(L.rho + R.rho)*a*(R.un - L.un);
+          - 0.75*fa*wL*wR*(L.rho + R.rho)*a*(R.un - L.un);
 
         convect(block, i, L, R, mass, p);
     }
