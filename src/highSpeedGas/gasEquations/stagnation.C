@@ -56,6 +56,30 @@ bool throwsBack
     return along/u + change < behind;
 }
 
+
+//- Where gas of this Mach number at most is too slow for a flux scheme
+void warnOfSlowGas(const word& flux, const scalar mach)
+{
+    // Of the dynamic pressure of gas at Mach number 0.3, 0.1, 0.05 and 0.01
+    // HLLC loses 1.5, 2.8, 5.7 and 20 % before a sphere (40 cells over 90
+    // degrees), SLAU2 1 to 2 %; beside it Kurganov's flux loses 18 to 52 %,
+    // SLAU2 2 to 4 %
+    const scalar least =
+        flux == "SLAU2" || flux == "AUSMPlusUp" ? 0
+      : flux == "HLLC" ? 0.1 : 0.5;
+
+    // (at rest there is nothing but round-off)
+    if (mach > 1e-5 && mach < least)
+    {
+        WarningInFunction
+            << "The gas is slow, Mach number " << mach << " at most. There"
+            << " fluxScheme " << flux << " takes differences of velocity for"
+            << " sound, and total pressure may be lost or gained by several per"
+            << " cent of the dynamic pressure, the more the slower the gas is."
+            << " Set 'fluxScheme SLAU2;' in fvSchemes" << endl;
+    }
+}
+
 } // End anonymous namespace
 
 
@@ -196,27 +220,12 @@ void Foam::gasEquations::reportStagnation() const
     }
     reduce(largest, maxOp<scalar>());
 
-    // Of the dynamic pressure of gas at Mach number 0.3, 0.1, 0.05 and 0.01
-    // HLLC loses 1.5, 2.8, 5.7 and 20 % before a sphere (40 cells over 90
-    // degrees), SLAU2 1 to 2 %; beside it Kurganov's flux loses 18 to 52 %,
-    // SLAU2 2 to 4 %
     const word flux
     (
         mesh_.schemesDict().getOrDefault<word>("fluxScheme", "HLLC")
     );
-    const scalar least =
-        flux == "SLAU2" || flux == "AUSMPlusUp" ? 0
-      : sensesShocks_ ? 0.1 : 0.5;
-    if (largest > sqr(1e-5) && largest < sqr(least))
-    {
-        WarningInFunction
-            << "The gas is slow, Mach number " << Foam::sqrt(largest)
-            << " at most. There fluxScheme " << flux << " takes differences of"
-            << " velocity for sound, and total pressure may be lost or gained"
-            << " by several per cent of the dynamic pressure, the more the"
-            << " slower the gas is. Set 'fluxScheme SLAU2;' in fvSchemes"
-            << endl;
-    }
+    warnOfSlowGas(flux, Foam::sqrt(largest));
+
     if (viscous_ || eos_.thermallyPerfect() || !source_.empty())
     {
         return;
