@@ -312,10 +312,19 @@ struct HLLC
     (
         faceBlock& block,
         const int i,
-        const side<nDim>& L,
-        const side<nDim>& R
+        const side<nDim>& ofL,
+        const side<nDim>& ofR
     )
     {
+        // What is no sound of the difference is left out, half on either side
+        side<nDim> L = ofL;
+        side<nDim> R = ofR;
+        const double out = 0.5*(1 - block.soundShare)*(R.un - L.un);
+        L.un += out;
+        R.un -= out;
+        L.H += out*(ofL.un + 0.5*out);
+        R.H -= out*(ofR.un - 0.5*out);
+
         double sL;
         double sR;
         waveSpeeds<nDim>(L, R, sL, sR);
@@ -334,6 +343,7 @@ struct HLLC
         const double p = onLeft*L.p + onRight*R.p;
         const double u = onLeft*L.un + onRight*R.un;
         const double H = onLeft*L.H + onRight*R.H;
+        const double add = onLeft*out - onRight*out;
 
         const double star = rho*(s - u)/(s - sM);
         const double E = H - p/rho;
@@ -343,8 +353,8 @@ struct HLLC
         block.flux[1][i] = rho*u*H + active*(star*starE - rho*E);
         for (int k = 0; k < nDim; k++)
         {
-            const double v = onLeft*L.u[k] + onRight*R.u[k];
             const double n = block.normal[k][i];
+            const double v = onLeft*L.u[k] + onRight*R.u[k] + add*n;
             block.flux[2 + k][i] =
                 rho*u*v + p*n
               + active*(star*(v + (sM - u)*n) - rho*v);

@@ -475,6 +475,7 @@ void Foam::gasEquations::innerFluxes()
     faceBlock block;
     faceState state;
     block.smooth = passed_ > 0;
+    block.soundShare = soundShare_;
 
     // massFlux: those of face f at massFlux[f]. mirrored: the gas behind the
     // faces is an image

@@ -83,7 +83,6 @@ static word readLimiter
 )
 {
     const dictionary& interpolation = schemes.subDict("interpolationSchemes");
-
     for (const word& key : keys)
     {
         if (!interpolation.found(key))
@@ -646,6 +645,7 @@ void Foam::gasEquations::surroundShocks()
 
 void Foam::gasEquations::computeRate()
 {
+    setSoundShare();
     if (source_.empty())
     {
         std::fill(rate.begin(), rate.end(), 0);

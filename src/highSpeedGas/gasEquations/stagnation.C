@@ -57,29 +57,6 @@ bool throwsBack
 }
 
 
-//- Where gas of this Mach number at most is too slow for a flux scheme
-void warnOfSlowGas(const word& flux, const scalar mach)
-{
-    // Of the dynamic pressure of gas at Mach number 0.3, 0.1, 0.05 and 0.01
-    // HLLC loses 1.5, 2.8, 5.7 and 20 % before a sphere (40 cells over 90
-    // degrees), SLAU2 1 to 2 %; beside it Kurganov's flux loses 18 to 52 %,
-    // SLAU2 2 to 4 %
-    const scalar least =
-        flux == "SLAU2" || flux == "AUSMPlusUp" ? 0
-      : flux == "HLLC" ? 0.1 : 0.5;
-
-    // (at rest there is nothing but round-off)
-    if (mach > 1e-5 && mach < least)
-    {
-        WarningInFunction
-            << "The gas is slow, Mach number " << mach << " at most. There"
-            << " fluxScheme " << flux << " takes differences of velocity for"
-            << " sound, and total pressure may be lost or gained by several per"
-            << " cent of the dynamic pressure, the more the slower the gas is."
-            << " Set 'fluxScheme SLAU2;' in fvSchemes" << endl;
-    }
-}
-
 } // End anonymous namespace
 
 
@@ -213,19 +190,6 @@ void Foam::gasEquations::reportStagnation() const
               : eos_.soundSpeedSqr<false>(q[1])
             );
     };
-    scalar largest = 0;
-    for (label c = 0; c < geometry_.nCells(); c++)
-    {
-        largest = max(largest, machNumberSqr(c));
-    }
-    reduce(largest, maxOp<scalar>());
-
-    const word flux
-    (
-        mesh_.schemesDict().getOrDefault<word>("fluxScheme", "HLLC")
-    );
-    warnOfSlowGas(flux, Foam::sqrt(largest));
-
     if (viscous_ || eos_.thermallyPerfect() || !source_.empty())
     {
         return;
@@ -274,7 +238,7 @@ void Foam::gasEquations::reportStagnation() const
     reduce(place, sumOp<vector>());
 
     // (a captured shock may overshoot by some per cent)
-    const bool expands = largest > sqr(1.05*streamMach);
+    const bool expands = largestMach(false) > 1.05*streamMach;
     const scalar lost = nFaces ? 1 - total/(nFaces*pitot) : 0;
     if (lost < -accuracy)
     {

@@ -482,6 +482,7 @@ bool Foam::highSpeedGas::solve()
     }
     if (mode_ == modeType::steady || mesh_.time().writeTime())
     {
+        equations_->warnOfSlowGas();
         equations_->warnOfWallHeat();
     }
     return true;

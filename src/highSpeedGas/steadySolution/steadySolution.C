@@ -153,6 +153,9 @@ void Foam::steadySolution::approach
     reducedRankExtrapolation slowModes(equations_);
     label nJudged = 0;
 
+    // Sweeps need all the damping there is
+    equations_.muffle(false);
+
     for (label i = 1; ; i++)
     {
         Co = min(largestCo, implicit.localStep(Co) ? 1.1*Co : 0.5*Co);
@@ -367,6 +370,7 @@ void Foam::steadySolution::setSchemes()
     // alone.
     const bool flat = !equations_.sticks();
     equations_.flattenShocks(flat);
+    equations_.muffle(true);
     if (!flat)
     {
         // Whose stripes of entropy would decide on the heat flux
@@ -410,12 +414,16 @@ bool Foam::steadySolution::solve(const bool near)
         // slower than sweeps
         const scalar handOver = near ? 1e-2 : 1e-3;
 
-        // A march from far away begins with first-order fluxes
+        // A march from far away begins with first-order fluxes. Subsonic gas
+        // has no shocks to bring to their places
         equations_.computeRate();
         if
         (
             !finished()
-         && (imbalance_.value() > 0.05 || equations_.subsonicOutlet())
+         && (
+                (imbalance_.value() > 0.05 && equations_.largestMach(true) > 1)
+             || equations_.subsonicOutlet()
+            )
         )
         {
             equations_.flattenShocks(true);
@@ -431,6 +439,7 @@ bool Foam::steadySolution::solve(const bool near)
                 approach(implicit, Co, handOver);
             }
             equations_.flattenShocks(!equations_.sticks());
+            equations_.muffle(true);
             equations_.computeRate();
         }
         while (!finished())
@@ -449,6 +458,8 @@ bool Foam::steadySolution::solve(const bool near)
                 Co = max(Co/3, min(scalar(2), settings_.maxCo));
                 approach(implicit, Co, handOver);
             }
+            equations_.muffle(true);
+            equations_.computeRate();
         }
     }
     else

@@ -225,6 +225,46 @@ TEST(fluxes, takeTheUpwindStateInSupersonicFlow)
 }
 
 
+TEST(fluxes, ofSlowGasTakeAShareOfTheDifferenceOfVelocityForSound)
+{
+    // Two streams that meet head on, with a common velocity along the face:
+    // their sound raises the pressure there by rho a times half the difference
+    const double speed = 0.5;
+    const double rise =
+        1e5/(air().R*300)*std::sqrt(1.4*air().R*300)*speed;
+    for (const double share : {1.0, 0.1, 0.0})
+    {
+        for (const double sign : {1.0, -1.0})
+        {
+            auto block = states(true);
+            block->soundShare = share;
+            for (int i = 0; i < faceBlock::size; i++)
+            {
+                const double n[2] = {block->normal[0][i], block->normal[1][i]};
+                for (auto* q : {&block->L, &block->R})
+                {
+                    const double un = sign*(q == &block->L ? speed : -speed);
+                    (*q)[2][i] = un*n[0] - 3*n[1];
+                    (*q)[3][i] = un*n[1] + 3*n[0];
+                }
+            }
+            Foam::selectFlux("HLLC", 2, false)(*block, faceBlock::size, air());
+            for (int i = 0; i < faceBlock::size; i++)
+            {
+                const double n[2] = {block->normal[0][i], block->normal[1][i]};
+                const double (&flux)[faceBlock::maxVar][faceBlock::size] =
+                    block->flux;
+                const double p = flux[2][i]*n[0] + flux[3][i]*n[1];
+                EXPECT_NEAR(p - 1e5, sign*share*rise, 2e-3*rise);
+                EXPECT_NEAR(flux[0][i], 0, 1e-9);
+                EXPECT_NEAR(flux[1][i], 0, 1e-4);
+                EXPECT_NEAR(flux[3][i]*n[0] - flux[2][i]*n[1], 0, 1e-8);
+            }
+        }
+    }
+}
+
+
 TEST(equationOfState, bringsGasToRestWithoutLossAndBehindAShock)
 {
     // Tables of NACA report 1135, four digits
