@@ -11,7 +11,7 @@ Foam::NewtonKrylov::NewtonKrylov(gasEquations& gas)
     nVar_(gas.nVar()),
     nCells_(gas.geometry().nCells()),
     nUnknowns_(nCells_*nVar_),
-    strips_(nCells_, nVar_),
+    groups_(nCells_, nVar_),
     slow_(false),
     unknownScale_(nUnknowns_),
     equationScale_(nUnknowns_),

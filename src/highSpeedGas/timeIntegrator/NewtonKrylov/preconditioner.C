@@ -354,24 +354,6 @@ void Foam::NewtonKrylov::findClosed()
 }
 
 
-bool Foam::NewtonKrylov::slow() const
-{
-    std::vector<double> a;
-    gas_.soundSpeed(a);
-    bool slow = true;
-    for (label c = 0; c < nCells_; c++)
-    {
-        double uu = 0;
-        for (int k = 2; k < nVar_; k++)
-        {
-            uu += sqr(gas_.primitive[c*nVar_ + k]);
-        }
-        slow = slow && uu < sqr(a[c]);
-    }
-    return returnReduce(slow, andOp<bool>());
-}
-
-
 template<int nDim>
 void Foam::NewtonKrylov::addConvection()
 {
@@ -522,10 +504,10 @@ void Foam::NewtonKrylov::assemble(const scalar Co)
         }
     }
 
-    slow_ = slow();
+    slow_ = gas_.largestMach(false) < 1;
     if (slow_)
     {
-        strips_.set(lower_, diagonal_, column_, block_, equationScale_);
+        groups_.set(lower_, diagonal_, column_, block_, equationScale_);
     }
     factorise<nVar>();
 }
@@ -626,13 +608,13 @@ void Foam::NewtonKrylov::precondition
     if (slow_)
     {
         rest_ = b;
-        strips_.remove(rest_);
+        groups_.remove(rest_);
         rest = &rest_;
     }
     nVar_ == 4 ? precondition<4>(*rest, x) : precondition<5>(*rest, x);
     if (slow_)
     {
-        strips_.add(x);
+        groups_.add(x);
     }
 }
 

@@ -2,11 +2,11 @@
     parcelImpact. License: GPL-3.0-or-later, see COPYING.
 
 Description
-    The coarse correction of linear equations by strips of cells, in a row of
+    The coarse correction of linear equations by groups of cells, in a row of
     cells each of which feels the next two on either side.
 \*---------------------------------------------------------------------------*/
 
-#include "stripCorrection.H"
+#include "coarseCorrection.H"
 #include "randomNumbers.H"
 
 #include <gtest/gtest.h>
@@ -90,40 +90,38 @@ struct row
         return y;
     }
 
-    void give(Foam::stripCorrection& strips) const
+    void give(Foam::coarseCorrection& groups) const
     {
-        strips.set(lower, diagonal, column, block, weight);
+        groups.set(lower, diagonal, column, block, weight);
     }
 };
 
 } // End anonymous namespace
 
 
-TEST(stripCorrection, findsAChangeThatIsTheSameInEachStrip)
+TEST(coarseCorrection, findsAChangeThatIsTheSameInEachGroup)
 {
     for (const int nCells : {1, 7, 333, 1000})
     {
         for (const int nVar : {4, 5})
         {
             row cells(nCells, nVar);
-            Foam::stripCorrection strips(nCells, nVar);
-            cells.give(strips);
+            Foam::coarseCorrection groups(nCells, nVar);
+            cells.give(groups);
 
-            // As many runs of cells as there are strips
-            const int nStrips = std::min(50, nCells);
             const numbers value =
-                randomNumbers(cells.random, nStrips*nVar);
+                randomNumbers(cells.random, groups.nGroups()*nVar);
             numbers change(nCells*nVar);
             for (int i = 0; i < nCells*nVar; i++)
             {
                 const int c = i/nVar;
-                change[i] = value[c*nStrips/nCells*nVar + i%nVar];
+                change[i] = value[groups.groups()[c]*nVar + i%nVar];
             }
 
             numbers b = cells.times(change);
-            strips.remove(b);
+            groups.remove(b);
             numbers found(nCells*nVar, 0);
-            strips.add(found);
+            groups.add(found);
             for (int i = 0; i < nCells*nVar; i++)
             {
                 ASSERT_NEAR(found[i], change[i], 1e-5);
@@ -134,33 +132,62 @@ TEST(stripCorrection, findsAChangeThatIsTheSameInEachStrip)
 }
 
 
-TEST(stripCorrection, leavesNoSumOverAStrip)
+TEST(coarseCorrection, leavesNoSumOverAGroup)
 {
-    const int nCells = 400;
+    const int nCells = 900;
     const int nVar = 4;
     row cells(nCells, nVar);
-    Foam::stripCorrection strips(nCells, nVar);
-    cells.give(strips);
+    Foam::coarseCorrection groups(nCells, nVar);
+    cells.give(groups);
 
     const numbers before = randomNumbers(cells.random, nCells*nVar);
     numbers b = before;
-    strips.remove(b);
+    groups.remove(b);
 
     // What is left is b less the product with the change
     numbers change(nCells*nVar, 0);
-    strips.add(change);
+    groups.add(change);
     const numbers product = cells.times(change);
-    double sums[50][nVar] = {};
+    numbers sums(groups.nGroups()*nVar, 0);
     for (int i = 0; i < nCells*nVar; i++)
     {
         ASSERT_NEAR(b[i], before[i] - product[i], 1e-5);
-        sums[i/nVar*50/nCells][i%nVar] += cells.weight[i]*b[i];
+        sums[groups.groups()[i/nVar]*nVar + i%nVar] += cells.weight[i]*b[i];
     }
-    for (const auto& strip : sums)
+    for (const double sum : sums)
     {
-        for (const double sum : strip)
+        EXPECT_NEAR(sum, 0, 1e-4);
+    }
+}
+
+
+TEST(coarseCorrection, joinsNeighboursToGroupsOfLikeSize)
+{
+    for (const int nCells : {1, 399, 1000, 12345})
+    {
+        row cells(nCells, 4);
+        Foam::coarseCorrection groups(nCells, 4);
+        cells.give(groups);
+
+        std::vector<int> size(groups.nGroups(), 0);
+        std::vector<int> first(groups.nGroups(), nCells);
+        std::vector<int> last(groups.nGroups(), -1);
+        for (int c = 0; c < nCells; c++)
         {
-            EXPECT_NEAR(sum, 0, 1e-4);
+            const int g = groups.groups()[c];
+            ASSERT_TRUE(g >= 0 && g < groups.nGroups());
+            size[g]++;
+            first[g] = std::min(first[g], c);
+            last[g] = std::max(last[g], c);
+        }
+        EXPECT_LE(groups.nGroups(), Foam::coarseCorrection::maxGroups);
+        EXPECT_GE(groups.nGroups(), std::min(nCells, 100));
+        const double mean = double(nCells)/groups.nGroups();
+        for (int g = 0; g < groups.nGroups(); g++)
+        {
+            EXPECT_GE(size[g], 1);
+            EXPECT_LE(size[g], 4*mean);
+            EXPECT_LE(last[g] - first[g], 8*mean);
         }
     }
 }
