@@ -217,6 +217,12 @@ Foam::gasImbalance Foam::gasEquations::imbalance(const scalar bound) const
     std::vector<double> equation(nCells*nVar_);
     scales(unknown, equation);
 
+    // The dynamic pressure of slow gas is small beside what sound is measured
+    // by. Of gas that is shut in the heat and drag of walls are looked at.
+    const scalar fast = 0.1;
+    const scalar mach = open_ ? largestMach(true) : fast;
+    const scalar part = sqr(min(scalar(1), max(mach, scalar(1e-3))/fast));
+
     gasImbalance b;
     b.largest = -1;
     b.cell = -1;
@@ -238,7 +244,11 @@ Foam::gasImbalance Foam::gasEquations::imbalance(const scalar bound) const
             mm += sqr(R[2 + d]);
         }
         const double value[3] =
-            {mag(R[0])/s[0], std::sqrt(mm)/s[2], mag(R[1])/s[1]};
+        {
+            mag(R[0])/(part*s[0]),
+            std::sqrt(mm)/(part*s[2]),
+            mag(R[1])/(part*s[1])
+        };
         bool above = false;
         for (label k = 0; k < 3; k++)
         {

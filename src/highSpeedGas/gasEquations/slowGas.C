@@ -49,9 +49,9 @@ void Foam::gasEquations::setSoundShare()
 void Foam::gasEquations::warnOfSlowGas()
 {
     // Of the dynamic pressure of gas at Mach number 0.3, 0.1, 0.05 and 0.01
-    // HLLC loses 1.5, 2.8, 5.7 and 20 % before a sphere (40 cells over 90
+    // HLLC loses 1.6, 2.8, 5.7 and 21 % before a sphere (40 cells over 90
     // degrees) where it takes all differences of velocity for sound, SLAU2 1
-    // to 2 %; beside it Kurganov's flux loses 18 to 52 %, SLAU2 2 to 4 %
+    // to 2 %; beside it Kurganov's flux loses 18 to 53 %, SLAU2 2 to 4 %
     const word flux
     (
         mesh_.schemesDict().getOrDefault<word>("fluxScheme", "HLLC")
