@@ -4,24 +4,31 @@
 
 #include "gasEquations.H"
 
+double Foam::gasEquations::machNumberSqr(const label s) const
+{
+    const double* q = &primitive[s*nVar_];
+    double uu = 0;
+    for (int k = 2; k < nVar_; k++)
+    {
+        uu += q[k]*q[k];
+    }
+    return
+        uu
+       /(
+            eos_.thermallyPerfect()
+          ? eos_.soundSpeedSqr<true>(q[1])
+          : eos_.soundSpeedSqr<false>(q[1])
+        );
+}
+
+
 Foam::scalar Foam::gasEquations::largestMach(const bool withGhosts) const
 {
-    const bool thermally = eos_.thermallyPerfect();
     const label end = withGhosts ? geometry_.nSlots() : geometry_.nCells();
     scalar largest = 0;
     for (label s = 0; s < end; s++)
     {
-        const double* q = &primitive[s*nVar_];
-        double uu = 0;
-        for (int k = 2; k < nVar_; k++)
-        {
-            uu += q[k]*q[k];
-        }
-        const double aa =
-            thermally
-          ? eos_.soundSpeedSqr<true>(q[1])
-          : eos_.soundSpeedSqr<false>(q[1]);
-        largest = max(largest, uu/aa);
+        largest = max(largest, machNumberSqr(s));
     }
     return std::sqrt(returnReduce(largest, maxOp<scalar>()));
 }

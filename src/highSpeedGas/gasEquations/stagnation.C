@@ -174,22 +174,6 @@ void Foam::gasEquations::beginFromStream()
 
 void Foam::gasEquations::reportStagnation() const
 {
-    const auto machNumberSqr = [&](const label c)
-    {
-        const double* q = &primitive[c*nVar_];
-        double uu = 0;
-        for (int k = 2; k < nVar_; k++)
-        {
-            uu += q[k]*q[k];
-        }
-        return
-            uu
-           /(
-                eos_.thermallyPerfect()
-              ? eos_.soundSpeedSqr<true>(q[1])
-              : eos_.soundSpeedSqr<false>(q[1])
-            );
-    };
     if (viscous_ || eos_.thermallyPerfect() || !source_.empty())
     {
         return;
